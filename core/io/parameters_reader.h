@@ -1,0 +1,21 @@
+// Reads the section `parameters` of a problem file.
+#ifndef DHCAL_CORE_IO_PARAMETERS_READER_H_
+#define DHCAL_CORE_IO_PARAMETERS_READER_H_
+
+#include "core/io/yaml_map.h"
+#include "core/io/yaml_value.h"
+#include "core/model/problem_spec.h"
+#include "core/model/robot.h"
+
+namespace dhcal {
+
+/// Names are checked against `robot`. In `prior_sigma` the groups base and tool become the keys
+/// "base:m", "base:rad", "tool:m" and "tool:rad"; all others are the bare name.
+void ReadParameters(const YamlValue& value, const RobotModel& robot, ParameterSpec* parameters);
+
+/// Refuses a non-empty `effects`, which this version does not know.
+void RefuseEffects(YamlMap* map);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_CORE_IO_PARAMETERS_READER_H_

@@ -1,0 +1,45 @@
+// Slots: the numbers of a chain that anything can perturb (core/NOTATION.md, "Slots").
+#ifndef DHCAL_CORE_KINEMATICS_SLOTS_H_
+#define DHCAL_CORE_KINEMATICS_SLOTS_H_
+
+#include <string>
+
+namespace dhcal {
+
+enum class JointSlot { kTheta = 0, kD = 1, kA = 2, kAlpha = 3, kBeta = 4 };
+
+/// Indices of the slots of a chain of n joints: five per joint, six of the base, six of the tool.
+class SlotLayout {
+ public:
+  static constexpr int kPerJoint = 5;
+  static constexpr int kPerFrame = 6;  // x y z [m], rotation vector x y z [rad]
+
+  explicit constexpr SlotLayout(int num_joints) : num_joints_(num_joints) {}
+
+  constexpr int num_joints() const { return num_joints_; }
+  constexpr int size() const { return kPerJoint * num_joints_ + 2 * kPerFrame; }
+
+  /// joint_idx counts from 0.
+  constexpr int joint(int joint_idx, JointSlot slot) const {
+    return kPerJoint * joint_idx + static_cast<int>(slot);
+  }
+  /// component 0..5.
+  constexpr int base(int component) const { return kPerJoint * num_joints_ + component; }
+  constexpr int tool(int component) const { return base(kPerFrame) + component; }
+
+  constexpr bool is_joint(int slot) const { return slot < kPerJoint * num_joints_; }
+  constexpr bool is_base(int slot) const { return !is_joint(slot) && slot < tool(0); }
+  constexpr bool is_tool(int slot) const { return slot >= tool(0); }
+
+  /// "theta1", "base_x", "tool_rz".
+  std::string Name(int slot) const;
+  /// True for slots in radians.
+  bool is_angle(int slot) const;
+
+ private:
+  int num_joints_;
+};
+
+}  // namespace dhcal
+
+#endif  // DHCAL_CORE_KINEMATICS_SLOTS_H_

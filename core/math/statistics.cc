@@ -1,0 +1,36 @@
+#include "core/math/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
+namespace dhcal {
+
+double StudentTwoSided(double confidence, double dof) {
+  const double upper = 0.5 * (1.0 + confidence);
+  if (!std::isfinite(dof)) return boost::math::quantile(boost::math::normal(), upper);
+  return boost::math::quantile(boost::math::students_t(dof), upper);
+}
+
+double ChiSquareTail(double x, double dof) {
+  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(dof), x));
+}
+
+double Median(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+double RobustScale(std::vector<double> values) {
+  for (double& value : values) value = std::abs(value);
+  return 1.4826 * Median(std::move(values));
+}
+
+}  // namespace dhcal

@@ -1,0 +1,24 @@
+// Quantiles and tail probabilities (Boost.Math) and robust scale.
+#ifndef DHCAL_CORE_MATH_STATISTICS_H_
+#define DHCAL_CORE_MATH_STATISTICS_H_
+
+#include <vector>
+
+namespace dhcal {
+
+/// Two-sided quantile of Student's t: P(|t| <= result) = `confidence`. With `dof` infinite it is
+/// the normal's.
+double StudentTwoSided(double confidence, double dof);
+
+/// P(chi-square with `dof` degrees of freedom > x).
+double ChiSquareTail(double x, double dof);
+
+/// Median; NaN when empty.
+double Median(std::vector<double> values);
+
+/// 1.4826 * median of |values|: the standard deviation, were they normal with mean zero.
+double RobustScale(std::vector<double> values);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_CORE_MATH_STATISTICS_H_

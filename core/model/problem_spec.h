@@ -1,0 +1,95 @@
+// What a problem file says (shared formats, section 2), after parsing: plain data in SI units.
+#ifndef DHCAL_CORE_MODEL_PROBLEM_SPEC_H_
+#define DHCAL_CORE_MODEL_PROBLEM_SPEC_H_
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/diagnostics.h"
+#include "core/model/robot.h"
+
+namespace dhcal {
+
+enum class MeasurementKind { kAdjacentPosition, kPosition, kPose, kDistance };
+enum class NoiseKind { kIndependent, kSharedPose };
+enum class SolverMethod { kSvdGaussNewton, kLevenbergMarquardt, kBoth };
+enum class TruncationRule { kNoise, kPaper, kRelative };
+enum class LossKind { kNone, kHuber, kCauchy, kTukey };
+
+const char* ToString(MeasurementKind kind);
+const char* ToString(SolverMethod method);
+
+struct Anchor {
+  std::string name;
+  Eigen::Vector3d p_WA = Eigen::Vector3d::Zero();  // [m]
+};
+
+struct MeasurementSpec {
+  MeasurementKind kind = MeasurementKind::kPosition;
+  std::optional<double> sigma;           // [m] one measured coordinate; absent = estimated
+  std::optional<double> sigma_rotation;  // [rad] one component; absent = estimated
+  NoiseKind noise = NoiseKind::kIndependent;
+  std::vector<Anchor> anchors;           // for kind distance
+};
+
+struct ParameterSpec {
+  // Group names, parameter names or "complete", as written; resolved against the robot later.
+  std::vector<std::string> estimate = {"theta", "alpha", "a", "d"};
+  std::vector<std::string> fix;
+  std::map<std::string, double> prior_sigma;  // group or name without unit suffix -> SI
+  SourceLocation where;
+};
+
+struct SolverSpec {
+  SolverMethod method = SolverMethod::kSvdGaussNewton;
+  double kappa = 1e-8;  // [m]
+  TruncationRule rule = TruncationRule::kNoise;
+  double relative_tolerance = 0;  // with kRelative
+  int max_iterations = 50;
+  LossKind loss = LossKind::kNone;
+  double loss_scale = 1.0;  // [sigmas]
+};
+
+enum class MotionKind { kIncrements, kRandom, kFile };
+
+struct MotionSpec {
+  MotionKind kind = MotionKind::kRandom;
+  int num_poses = 100;
+  Eigen::VectorXd home;        // [rad] or [m], kIncrements
+  Eigen::VectorXd increments;  // per step, kIncrements
+  Eigen::VectorXd lower;       // kRandom: uniform in [lower, upper]
+  Eigen::VectorXd upper;
+  std::string file;            // kFile: a recording's joint columns; resolved path
+};
+
+/// A recording made from the nominal robot plus known errors.
+struct SimulationSpec {
+  MotionSpec motion;
+  // Errors added to the nominal rows, length n or empty: theta, alpha, a, d, beta.
+  Eigen::VectorXd theta, alpha, a, d, beta;
+  Eigen::VectorXd base, tool;  // 6 or empty: x y z [m], rx ry rz [rad]
+  double noise = 0;            // [m]
+  double noise_rotation = 0;   // [rad] for kind pose
+  std::uint64_t seed = 1;
+};
+
+struct ProblemSpec {
+  std::string file;  // path as given
+  std::string name;
+  RobotModel robot;
+  MeasurementSpec measurement;
+  std::string recording;  // resolved path; empty when simulated
+  SourceLocation recording_where;
+  ParameterSpec parameters;
+  SolverSpec solver;
+  std::optional<SimulationSpec> simulate;
+};
+
+}  // namespace dhcal
+
+#endif  // DHCAL_CORE_MODEL_PROBLEM_SPEC_H_

@@ -1,0 +1,65 @@
+#include "core/model/result.h"
+
+namespace dhcal {
+
+const char* ToString(Termination termination) {
+  switch (termination) {
+    case Termination::kNotRun:
+      return "not_run";
+    case Termination::kKappa:
+      return "kappa";
+    case Termination::kSmallChange:
+      return "small_change";
+    case Termination::kIterationLimit:
+      return "iteration_limit";
+    case Termination::kDiverged:
+      return "diverged";
+    case Termination::kFailed:
+      return "failed";
+  }
+  return "?";
+}
+
+const char* ToString(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kIdentified:
+      return "identified";
+    case Verdict::kWeak:
+      return "weak";
+    case Verdict::kConfounded:
+      return "confounded";
+    case Verdict::kUnobservable:
+      return "unobservable";
+    case Verdict::kFixed:
+      return "fixed";
+  }
+  return "?";
+}
+
+const char* ToString(MeasurementKind kind) {
+  switch (kind) {
+    case MeasurementKind::kAdjacentPosition:
+      return "adjacent_position";
+    case MeasurementKind::kPosition:
+      return "position";
+    case MeasurementKind::kPose:
+      return "pose";
+    case MeasurementKind::kDistance:
+      return "distance";
+  }
+  return "?";
+}
+
+const char* ToString(SolverMethod method) {
+  switch (method) {
+    case SolverMethod::kSvdGaussNewton:
+      return "svd_gauss_newton";
+    case SolverMethod::kLevenbergMarquardt:
+      return "levenberg_marquardt";
+    case SolverMethod::kBoth:
+      return "both";
+  }
+  return "?";
+}
+
+}  // namespace dhcal

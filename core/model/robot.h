@@ -1,0 +1,69 @@
+// A serial robot as plain data: its nominal Denavit-Hartenberg rows, base, tool and masses.
+// Conventions (DH product, frames, units) are fixed in core/NOTATION.md.
+#ifndef DHCAL_CORE_MODEL_ROBOT_H_
+#define DHCAL_CORE_MODEL_ROBOT_H_
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace dhcal {
+
+enum class DhConvention { kStandard, kModified };
+enum class JointType { kRevolute, kPrismatic };
+
+/// One DH row. A revolute joint adds sign * q to theta, a prismatic one to d.
+struct JointRow {
+  std::string name;
+  JointType type = JointType::kRevolute;
+  double theta = 0;  // [rad]
+  double d = 0;      // [m]
+  double a = 0;      // [m]
+  double alpha = 0;  // [rad]
+  double beta = 0;   // [rad] Hayati's angle; zero in a plain DH row
+  double sign = 1;   // +1 or -1: the controller's sense of the joint against DH's
+};
+
+/// Mass of one link, in the frame that its DH row ends in.
+struct LinkMass {
+  double mass = 0;                                    // [kg]
+  Eigen::Vector3d p_LC = Eigen::Vector3d::Zero();     // [m] link frame to centre of mass
+};
+
+/// A named reflector or marker on the tool, flange frame T to its frame Q.
+struct Target {
+  std::string name;
+  Eigen::Isometry3d X_TQ = Eigen::Isometry3d::Identity();
+};
+
+/// A base pose registered for one run only.
+struct RunFrame {
+  std::string run;
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+};
+
+struct RobotModel {
+  std::string name;
+  DhConvention convention = DhConvention::kStandard;
+  std::vector<JointRow> joints;
+
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  // measurement frame W to base B
+  bool base_per_run = false;
+  std::vector<RunFrame> base_of_run;                       // optional starts, when per run
+
+  Eigen::Isometry3d X_TQ = Eigen::Isometry3d::Identity();  // flange T to measured point Q
+  bool tool_per_run = false;
+  std::vector<RunFrame> tool_of_run;
+  std::vector<Target> targets;                             // instead of X_TQ when not empty
+
+  Eigen::Vector3d gravity_B = Eigen::Vector3d(0, 0, -9.80665);  // [m/s^2]
+  std::vector<LinkMass> links;                             // empty, or one per joint
+  LinkMass payload;                                        // in the flange frame T
+
+  int num_joints() const { return static_cast<int>(joints.size()); }
+};
+
+}  // namespace dhcal
+
+#endif  // DHCAL_CORE_MODEL_ROBOT_H_

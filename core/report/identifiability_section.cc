@@ -1,0 +1,139 @@
+// What the readings cannot tell, in the names of the parameters.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/report/format.h"
+#include "core/report/sections.h"
+
+namespace dhcal {
+namespace {
+
+constexpr std::size_t kMostDirections = 16;
+constexpr std::size_t kMostEntries = 8;     // of one direction
+constexpr std::size_t kMostParameters = 20;
+constexpr std::size_t kMostPartners = 6;    // of a confounded parameter
+constexpr std::size_t kLargestValues = 16;  // of a long spectrum
+constexpr std::size_t kSmallestValues = 24;
+
+std::string RankSentence(const FitResult& fit) {
+  if (fit.rank < 0 || fit.columns < 0) return "";
+  const auto determined = fit.columns - static_cast<int>(fit.null_space.size());
+  std::string text = fmt::format("Of {} directions of the parameters the readings determine {} better "
+                                 "than manufacture does; the solver changed {}",
+                                 fit.columns, determined, fit.rank);
+  if (fit.rank_numerical >= 0) {
+    text += fmt::format("; the readings respond to {} at all", fit.rank_numerical);
+  }
+  return Wrap("  ", text + ".");
+}
+
+std::string DirectionText(const NullDirection& null_direction) {
+  std::vector<std::string> terms;
+  for (const NullDirection::Entry& entry : null_direction.direction) {
+    if (terms.size() == kMostEntries) break;
+    terms.push_back(fmt::format("{:+.3g} {}", entry.weight, entry.name));
+  }
+  std::string text = fmt::format("Direction: {}", fmt::join(terms, "  "));
+  const std::size_t total = null_direction.direction.size();
+  return total > terms.size() ? text + " " + AndMore(total - terms.size()) : text;
+}
+
+std::string NullSpaceText(const std::vector<NullDirection>& null_space) {
+  std::string text;
+  for (std::size_t i = 0; i < null_space.size() && i < kMostDirections; ++i) {
+    text += "\n" + Wrap(fmt::format("  {:>2}. ", i + 1), null_space[i].explanation);
+    text += Wrap("      ", DirectionText(null_space[i]));
+  }
+  if (null_space.size() > kMostDirections) {
+    text += "\n" + Wrap("  ", AndMore(null_space.size() - kMostDirections));
+  }
+  return text;
+}
+
+/// What is said of a parameter; a sentence that stands above is referred to by its number.
+std::string ParameterText(const ParameterResult& parameter,
+                          const std::vector<NullDirection>& null_space) {
+  std::string text = fmt::format("{}, {}", parameter.name, ToString(parameter.verdict));
+  const std::vector<std::string>& all = parameter.confounded_with;
+  if (!all.empty()) {
+    const auto end = all.begin() + static_cast<long>(std::min(all.size(), kMostPartners));
+    text += fmt::format(" with {}", fmt::join(all.begin(), end, ", "));
+    if (all.size() > kMostPartners) text += " " + AndMore(all.size() - kMostPartners);
+  }
+  if (parameter.explanation.empty()) return text;
+  for (std::size_t k = 0; k < null_space.size() && k < kMostDirections; ++k) {
+    if (null_space[k].explanation == parameter.explanation) {
+      return text + fmt::format(" (see {})", k + 1);
+    }
+  }
+  return text + ": " + parameter.explanation;
+}
+
+std::string DoubtfulParameters(const FitResult& fit) {
+  std::string text;
+  std::size_t count = 0;
+  for (const ParameterResult& parameter : fit.parameters) {
+    if (parameter.verdict == Verdict::kIdentified || parameter.verdict == Verdict::kFixed) continue;
+    if (++count <= kMostParameters) text += Wrap("  - ", ParameterText(parameter, fit.null_space));
+  }
+  if (count > kMostParameters) text += Wrap("  ", AndMore(count - kMostParameters));
+  return count == 0 ? "" : "\n  Parameters that cannot be trusted by themselves:\n" + text;
+}
+
+std::string SingularValues(const FitResult& fit) {
+  const std::vector<double>& all = fit.singular_values;
+  if (all.empty()) return "";
+  const bool is_long = all.size() > kLargestValues + kSmallestValues + 1;
+  std::vector<std::string> terms;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (is_long && i == kLargestValues) {
+      const std::size_t left_out = all.size() - kLargestValues - kSmallestValues;
+      terms.push_back(AndMore(left_out));
+      i += left_out;
+    }
+    const bool cut = all[i] <= fit.truncation_cut;
+    terms.push_back(cut ? fmt::format("[{:.2e}]", all[i]) : fmt::format("{:.2e}", all[i]));
+  }
+  std::string title = "Singular values";
+  if (!fit.singular_values_of.empty()) title += " of " + fit.singular_values_of;
+  if (!std::isnan(fit.truncation_cut)) {
+    title += fmt::format("; those in brackets, at or below {:.2e}, were set to zero",
+                         fit.truncation_cut);
+  }
+  return Wrap("  ", title + ":") + Wrap("    ", fmt::format("{}", fmt::join(terms, " ")));
+}
+
+std::string Figures(const FitResult& fit) {
+  std::string text;
+  const ObservabilityIndices& o = fit.observability;
+  if (!std::isnan(o.o1)) {
+    text += Wrap("  ", fmt::format("Observability indices: O1 {:.3g}, O2 {:.3g}, O3 {:.3g}, "
+                                   "O4 {:.3g}, O5 {:.3g}",
+                                   o.o1, o.o2, o.o3, o.o4, o.o5));
+  }
+  if (!std::isnan(fit.condition_number)) {
+    text += Wrap("  ", fmt::format("Condition number of the directions kept: {:.3g}",
+                                   fit.condition_number));
+  }
+  text += SingularValues(fit);
+  if (!fit.covariance_check.empty()) text += Wrap("  ", fit.covariance_check);
+  return text.empty() ? "" : "\n" + text;
+}
+
+}  // namespace
+
+std::string IdentifiabilitySection(const Result& result) {
+  const FitResult* const fit = result.best();
+  if (fit == nullptr) return "";
+  const std::string text =
+      RankSentence(*fit) + NullSpaceText(fit->null_space) + DoubtfulParameters(*fit) +
+      Figures(*fit);
+  return text.empty() ? "" : Heading("WHAT THE READINGS CANNOT TELL") + text;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,123 @@
+// What was read and asked.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "core/base/units.h"
+#include "core/report/format.h"
+#include "core/report/sections.h"
+
+namespace dhcal {
+namespace {
+
+std::string Line(const char* label, const std::string& text) {
+  return Wrap(fmt::format("  {:<13}", label), text);
+}
+
+std::string FileName(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+std::string RobotText(const RobotModel& robot) {
+  return fmt::format("{}{}, {} Denavit-Hartenberg convention",
+                     robot.name.empty() ? "" : robot.name + ", ",
+                     Counted(robot.num_joints(), "joint"),
+                     robot.convention == DhConvention::kStandard ? "standard" : "modified");
+}
+
+std::string RecordingText(const ProblemSpec& spec, const Result& result) {
+  if (!result.simulated) return FileName(spec.recording);
+  if (!spec.simulate) return "simulated";
+  return fmt::format("simulated with known errors, noise {} mm, seed {}",
+                     spec.simulate->noise / kMillimetre, spec.simulate->seed);
+}
+
+std::string RowsText(const Result& result) {
+  std::string text = fmt::format("{} fitted", std::max(result.rows, 0));
+  if (result.rows_test > 0) text += fmt::format(", {} kept unseen", result.rows_test);
+  if (result.num_poses >= 0) text += fmt::format(", from {}", Counted(result.num_poses, "pose"));
+  return text;
+}
+
+std::string MeasurementText(MeasurementKind kind) {
+  switch (kind) {
+    case MeasurementKind::kAdjacentPosition:
+      return "displacement of the tool point between successive poses (adjacent_position)";
+    case MeasurementKind::kPosition:
+      return "position of the tool point (position)";
+    case MeasurementKind::kPose:
+      return "position and orientation of the tool (pose)";
+    case MeasurementKind::kDistance:
+      return "distance of the tool point from an anchor (distance)";
+  }
+  return "?";
+}
+
+std::string NoiseText(const Result& result) {
+  if (std::isnan(result.noise_sigma)) return "not known";
+  std::string text = Millimetres(result.noise_sigma) + " mm per measured coordinate";
+  if (!std::isnan(result.noise_sigma_rotation)) {
+    text += fmt::format(", {:.4g} mrad per rotation", result.noise_sigma_rotation / kMilliradian);
+  }
+  if (!result.noise_source.empty()) text += ", " + result.noise_source;
+  return text;
+}
+
+std::string TruncationText(const SolverSpec& solver) {
+  switch (solver.rule) {
+    case TruncationRule::kNoise:
+      return "noise";
+    case TruncationRule::kPaper:
+      return "paper (columns * machine epsilon)";
+    case TruncationRule::kRelative:
+      return fmt::format("{:g} of the largest", solver.relative_tolerance);
+  }
+  return "?";
+}
+
+std::string LossText(const SolverSpec& solver) {
+  const std::string scale = fmt::format(" at {:g} sigma", solver.loss_scale);
+  switch (solver.loss) {
+    case LossKind::kNone:
+      return "";
+    case LossKind::kHuber:
+      return ", Huber loss" + scale;
+    case LossKind::kCauchy:
+      return ", Cauchy loss" + scale;
+    case LossKind::kTukey:
+      return ", Tukey loss" + scale;
+  }
+  return "";
+}
+
+std::string SolverText(const SolverSpec& solver) {
+  const std::string method = solver.method == SolverMethod::kBoth
+                                 ? SolverName(SolverMethod::kSvdGaussNewton) + " and " +
+                                       SolverName(SolverMethod::kLevenbergMarquardt)
+                                 : SolverName(solver.method);
+  return fmt::format("{}, truncation rule {}, kappa {:g} m, at most {}{}", method,
+                     TruncationText(solver), solver.kappa,
+                     Counted(solver.max_iterations, "iteration"), LossText(solver));
+}
+
+}  // namespace
+
+std::string SolverName(SolverMethod method) {
+  return method == SolverMethod::kLevenbergMarquardt ? "Levenberg-Marquardt" : "SVD Gauss-Newton";
+}
+
+std::string InputSection(const ProblemSpec& spec, const Result& result) {
+  std::string text = Line("Problem file", FileName(spec.file));
+  text += Line("Robot", RobotText(spec.robot));
+  text += Line("Recording", RecordingText(spec, result));
+  text += Line("Rows", RowsText(result));
+  text += Line("Measurement", MeasurementText(result.kind));
+  text += Line("Noise", NoiseText(result));
+  text += Line("Solver", SolverText(spec.solver));
+  return text;
+}
+
+}  // namespace dhcal

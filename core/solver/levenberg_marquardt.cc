@@ -1,0 +1,78 @@
+#include "core/solver/levenberg_marquardt.h"
+
+#include <ceres/solver.h>
+#include <fmt/format.h>
+
+#include "core/solver/trace_callback.h"
+
+namespace dhcal {
+namespace {
+
+// Above this QR of the dense Jacobian would take more memory than the recording itself; the normal
+// equations then lose digits that no recording has.
+constexpr int kLargestDenseQr = 200000;
+
+ceres::Solver::Options CeresOptions(const SolverOptions& options, const EstimationProblem& problem) {
+  ceres::Solver::Options ceres_options;
+  ceres_options.minimizer_type = ceres::TRUST_REGION;
+  ceres_options.trust_region_strategy_type = ceres::LEVENBERG_MARQUARDT;
+  ceres_options.linear_solver_type = problem.problem->NumResiduals() <= kLargestDenseQr
+                                         ? ceres::DENSE_QR
+                                         : ceres::DENSE_NORMAL_CHOLESKY;
+  ceres_options.max_num_iterations = options.max_iterations;
+  // Weak directions lie six decades below the strong ones: the default tolerances and the default
+  // damping would stop before they have moved.
+  ceres_options.function_tolerance = 1e-16;
+  ceres_options.gradient_tolerance = 1e-18;
+  ceres_options.parameter_tolerance = 1e-13;
+  ceres_options.initial_trust_region_radius = 1e10;
+  ceres_options.update_state_every_iteration = true;
+  ceres_options.logging_type = ceres::SILENT;
+  return ceres_options;
+}
+
+void Interpret(const SolverOptions& options,
+               const ceres::Solver::Summary& ceres_summary,
+               const TraceCallback& callback,
+               SolverSummary* summary) {
+  if (callback.failed() || ceres_summary.termination_type == ceres::FAILURE) {
+    summary->termination = Termination::kFailed;
+    summary->message = callback.failed() ? "The model cannot be evaluated."
+                                         : "Ceres failed: " + ceres_summary.message;
+  } else if (callback.kappa_holds()) {
+    summary->termination = Termination::kKappa;
+    summary->message =
+        fmt::format("Kappa test passed: ||J drho - dx|| = {:.4e} m <= kappa = {:.4e} m.",
+                    callback.trace().back().kappa_norm, options.kappa);
+  } else if (ceres_summary.termination_type == ceres::CONVERGENCE) {
+    summary->termination = Termination::kSmallChange;
+    summary->message = "Ceres converged: " + ceres_summary.message;
+  } else {
+    summary->termination = Termination::kIterationLimit;
+    summary->message = "Iteration limit: " + ceres_summary.message;
+  }
+}
+
+}  // namespace
+
+void LevenbergMarquardt::DoSolve(const SolverOptions& options,
+                                 const EstimationProblemFactory& factory,
+                                 EstimationProblem* problem,
+                                 SolverSummary* summary) const {
+  const std::unique_ptr<EstimationProblem> probe = factory();
+  TraceCallback callback(
+      probe.get(), &problem->state, options.truncation, options.kappa, options.progress);
+  ceres::Solver::Options ceres_options = CeresOptions(options, *problem);
+  ceres_options.callbacks.push_back(&callback);
+  ceres::Solver::Summary ceres_summary;
+  ceres::Solve(ceres_options, problem->problem.get(), &ceres_summary);
+
+  Interpret(options, ceres_summary, callback, summary);
+  summary->state = problem->state_vector();
+  summary->initial_cost = ceres_summary.initial_cost;
+  summary->final_cost = ceres_summary.final_cost;
+  summary->trace = callback.trace();
+  summary->svd_of_last_step = callback.svd_of_last_step();
+}
+
+}  // namespace dhcal

@@ -1,0 +1,20 @@
+// Levenberg-Marquardt: Ceres' own trust region, reporting through the same callback.
+#ifndef DHCAL_CORE_SOLVER_LEVENBERG_MARQUARDT_H_
+#define DHCAL_CORE_SOLVER_LEVENBERG_MARQUARDT_H_
+
+#include "core/solver/solver.h"
+
+namespace dhcal {
+
+/// Undetermined directions hardly move: damping takes the place of truncation.
+class LevenbergMarquardt final : public Solver {
+ protected:
+  void DoSolve(const SolverOptions& options,
+               const EstimationProblemFactory& factory,
+               EstimationProblem* problem,
+               SolverSummary* summary) const override;
+};
+
+}  // namespace dhcal
+
+#endif  // DHCAL_CORE_SOLVER_LEVENBERG_MARQUARDT_H_

@@ -1,0 +1,81 @@
+#include "core/solver/solver.h"
+
+#include <chrono>
+
+#include <fmt/format.h>
+#include <glog/logging.h>
+
+#include "core/solver/levenberg_marquardt.h"
+#include "core/solver/truncated_gauss_newton.h"
+
+namespace dhcal {
+namespace {
+
+/// Index of a correction beyond its limit (or not a number), or -1.
+int FirstBeyondLimit(const Eigen::VectorXd& state, const Eigen::VectorXd& limit) {
+  for (Eigen::Index k = 0; k < state.size(); ++k) {
+    if (!(std::abs(state[k]) <= limit[k])) return static_cast<int>(k);
+  }
+  return -1;
+}
+
+/// A solver that ended in good order may still have run away.
+void CheckForDivergence(const UnknownScales& scales, SolverSummary* summary) {
+  if (!summary->IsSolutionUsable()) return;
+  const int beyond = FirstBeyondLimit(summary->state, scales.limit);
+  if (beyond >= 0) {
+    summary->termination = Termination::kDiverged;
+    summary->message = fmt::format(
+        "Diverged: a correction reached {:.3g}, where more than {:g} cannot be a calibration error. "
+        "The truncation keeps directions that the noise determines.",
+        summary->state[beyond], scales.limit[beyond]);
+  } else if (!(summary->final_cost <= summary->initial_cost * (1 + 1e-9) + 1e-9)) {
+    summary->termination = Termination::kDiverged;
+    summary->message = fmt::format("Diverged: the cost rose from {:.6g} to {:.6g}.",
+                                   summary->initial_cost, summary->final_cost);
+  }
+}
+
+}  // namespace
+
+bool SolverOptions::IsValid(std::string* error) const {
+  const auto require = [error](bool holds, const char* field, double value, const char* rule) {
+    if (!holds) *error = fmt::format("SolverOptions::{} = {} violates {}", field, value, rule);
+    return holds;
+  };
+  return require(kappa >= 0, "kappa", kappa, "kappa >= 0") &&
+         require(max_iterations > 0, "max_iterations", max_iterations, "max_iterations > 0") &&
+         require(step_tolerance >= 0, "step_tolerance", step_tolerance, "step_tolerance >= 0") &&
+         require(cost_tolerance >= 0, "cost_tolerance", cost_tolerance, "cost_tolerance >= 0") &&
+         require(truncation.relative >= 0 && truncation.relative < 1,
+                 "truncation.relative",
+                 truncation.relative,
+                 "0 <= relative < 1");
+}
+
+std::string SolverSummary::BriefReport() const {
+  return fmt::format("{} after {} iterations, cost {:.6g} -> {:.6g}",
+                     ToString(termination), trace.size(), initial_cost, final_cost);
+}
+
+SolverSummary Solver::Solve(const SolverOptions& options,
+                            const EstimationProblemFactory& factory) const {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
+  const auto begin = std::chrono::steady_clock::now();
+  SolverSummary summary;
+  const std::unique_ptr<EstimationProblem> problem = factory();
+  DoSolve(options, factory, problem.get(), &summary);
+  CheckForDivergence(problem->scales, &summary);
+  summary.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return summary;
+}
+
+std::unique_ptr<Solver> MakeSolver(SolverMethod method) {
+  CHECK(method != SolverMethod::kBoth) << "one solver at a time";
+  if (method == SolverMethod::kSvdGaussNewton) return std::make_unique<TruncatedGaussNewton>();
+  return std::make_unique<LevenbergMarquardt>();
+}
+
+}  // namespace dhcal

@@ -1,0 +1,79 @@
+// One interface for the solvers, and what they return.
+#ifndef DHCAL_CORE_SOLVER_SOLVER_H_
+#define DHCAL_CORE_SOLVER_SOLVER_H_
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/math/truncated_svd.h"
+#include "core/model/problem_spec.h"
+#include "core/model/result.h"
+#include "core/solver/estimation_problem.h"
+#include "core/solver/linearization.h"
+#include "core/solver/truncation.h"
+
+namespace dhcal {
+
+struct SolverOptions {
+  /// Stop when ||J drho - dx|| of a step is at or below this [m] (English et al. 2004, eq. 13).
+  /// With noise it never is; zero switches the test off.
+  double kappa = 1e-8;
+  /// Which singular values count as zero. Levenberg-Marquardt uses it for the report only.
+  Truncation truncation;
+  int max_iterations = 50;
+  /// Stop when a step is shorter than this, in units of the parameters' tolerances, and ...
+  double step_tolerance = 1e-6;
+  /// ... the cost (1/2 chi-square) changed by no more than this times (1 + cost).
+  double cost_tolerance = 1e-9;
+  /// Called after each step; may be empty.
+  std::function<void(const IterationRecord&)> progress;
+
+  /// False names the field, its value and the rule it breaks.
+  bool IsValid(std::string* error) const;
+};
+
+struct SolverSummary {
+  Termination termination = Termination::kNotRun;
+  std::string message = "The solver was not called.";
+  Eigen::VectorXd state;  // corrections to the start
+  double initial_cost = kNotSet;
+  double final_cost = kNotSet;
+  double seconds = kNotSet;
+  std::vector<IterationRecord> trace;
+  std::optional<TruncatedSvd> svd_of_last_step;
+
+  bool IsSolutionUsable() const {
+    return termination == Termination::kKappa || termination == Termination::kSmallChange ||
+           termination == Termination::kIterationLimit;
+  }
+  bool Converged() const { return IsSolutionUsable() && termination != Termination::kIterationLimit; }
+  /// One line: how it ended, iterations, cost from and to.
+  std::string BriefReport() const;
+};
+
+/// Non-virtual Solve() checks and times; an algorithm supplies DoSolve().
+class Solver {
+ public:
+  virtual ~Solver() = default;
+
+  /// Solves from the state that the factory's problems have. A summary that ended in good order
+  /// but ran away (a correction beyond its limit, a higher cost) is marked as diverged.
+  SolverSummary Solve(const SolverOptions& options, const EstimationProblemFactory& factory) const;
+
+ protected:
+  /// Solves `problem`, which `factory` has just made.
+  virtual void DoSolve(const SolverOptions& options,
+                       const EstimationProblemFactory& factory,
+                       EstimationProblem* problem,
+                       SolverSummary* summary) const = 0;
+};
+
+/// kSvdGaussNewton or kLevenbergMarquardt.
+std::unique_ptr<Solver> MakeSolver(SolverMethod method);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_CORE_SOLVER_SOLVER_H_

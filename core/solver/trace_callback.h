@@ -1,0 +1,69 @@
+// The one callback through which both solvers report and stop.
+#ifndef DHCAL_CORE_SOLVER_TRACE_CALLBACK_H_
+#define DHCAL_CORE_SOLVER_TRACE_CALLBACK_H_
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <ceres/iteration_callback.h>
+
+#include "core/math/truncated_svd.h"
+#include "core/model/result.h"
+#include "core/solver/estimation_problem.h"
+#include "core/solver/linearization.h"
+#include "core/solver/truncation.h"
+
+namespace dhcal {
+
+/// At every state that a solver accepts it linearises the problem, truncates the SVD and notes
+/// rank and ||J drho - dx|| (English et al. 2004, eq. 13) of the step to come. When that step has
+/// been taken its record is complete, and if the norm is at or below kappa the solver is told to
+/// stop: so the step on which kappa holds is still applied, as in the paper's Table III.
+class TraceCallback : public ceres::IterationCallback {
+ public:
+  /// `probe` is linearised at `live_state`, which the solver updates; it may be the solver's own
+  /// problem only if that is not inside ceres::Solve.
+  TraceCallback(EstimationProblem* probe,
+                const std::vector<double>* live_state,
+                Truncation truncation,
+                double kappa,
+                std::function<void(const IterationRecord&)> progress);
+
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override;
+
+  const std::vector<IterationRecord>& trace() const { return trace_; }
+  bool kappa_holds() const { return kappa_holds_; }
+  bool failed() const { return failed_; }
+
+  /// At the latest accepted state.
+  const Linearization& linearization() const { return linearization_; }
+  const TruncatedSvd& svd() const { return svd_; }
+  /// Of the latest completed step; empty before.
+  const std::optional<TruncatedSvd>& svd_of_last_step() const { return svd_of_last_step_; }
+  /// The truncated step from the latest accepted state.
+  Eigen::VectorXd Step() const { return svd_.Solve(linearization_.b); }
+
+ private:
+  bool LinearizeHere();
+  void CompleteRecord(const ceres::IterationSummary& summary);
+
+  EstimationProblem* probe_;
+  const std::vector<double>* live_state_;
+  Truncation truncation_;
+  double kappa_;
+  std::function<void(const IterationRecord&)> progress_;
+
+  Linearization linearization_;
+  TruncatedSvd svd_;
+  std::optional<TruncatedSvd> svd_of_last_step_;
+  double kappa_norm_ = 0;       // of the step to come [m]
+  Eigen::VectorXd state_;       // where linearization_ belongs
+  std::vector<IterationRecord> trace_;
+  bool kappa_holds_ = false;
+  bool failed_ = false;
+};
+
+}  // namespace dhcal
+
+#endif  // DHCAL_CORE_SOLVER_TRACE_CALLBACK_H_

@@ -1,0 +1,64 @@
+#include "problems/calibration.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glog/logging.h>
+
+#include "core/math/statistics.h"
+#include "problems/parameter_set.h"
+
+namespace dhcal {
+
+Calibration::Calibration(const ProblemSpec& problem_spec, const Recording& rows)
+    : spec(problem_spec),
+      recording(rows),
+      chain(problem_spec.robot),
+      parameters(ResolveParameters(problem_spec, rows).estimated),
+      readings(CollectReadings(problem_spec.measurement, rows)),
+      frames(problem_spec.robot, rows) {}
+
+Eigen::VectorXd Calibration::SlotDeltas(const Eigen::VectorXd& state, int row_idx) const {
+  const int run = recording.run(row_idx), target = recording.target(row_idx);
+  Eigen::VectorXd delta = Eigen::VectorXd::Zero(chain.slots().size());
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    if (!InScope(parameters[k], run, target)) continue;
+    delta[parameters[k].slot] += state[static_cast<Eigen::Index>(k)];
+  }
+  return delta;
+}
+
+double Calibration::RowSigma(int row_idx, const Noise& noise) const {
+  if (recording.sigma.size() == 0) return noise.sigma;
+  const double own = recording.sigma[row_idx];
+  return std::isfinite(own) ? own : noise.sigma;
+}
+
+Eigen::Isometry3d Calibration::Pose(const Eigen::VectorXd& state, int row_idx) const {
+  return chain.Pose<double>(recording.q.row(row_idx).transpose(), SlotDeltas(state, row_idx),
+                            frames.ends(recording.run(row_idx), recording.target(row_idx)));
+}
+
+Eigen::Isometry3d Calibration::MeasuredPose(int row_idx) const {
+  const Eigen::Vector4d q = recording.quaternion.row(row_idx);
+  Eigen::Isometry3d X_WQ(Eigen::Quaterniond(q[0], q[1], q[2], q[3]));
+  X_WQ.translation() = recording.p_WQ.row(row_idx).transpose();
+  return X_WQ;
+}
+
+Eigen::Vector3d Calibration::Anchor(int row_idx) const {
+  const auto name_idx = static_cast<std::size_t>(recording.anchor_idx[static_cast<std::size_t>(row_idx)]);
+  const std::string& name = recording.anchor_names[name_idx];
+  const auto& anchors = spec.measurement.anchors;
+  const auto found = std::find_if(
+      anchors.begin(), anchors.end(), [&](const auto& anchor) { return anchor.name == name; });
+  CHECK(found != anchors.end()) << "anchor " << name << " was not checked on input";
+  return found->p_WA;
+}
+
+bool InScope(const Parameter& parameter, int run, int target) {
+  return (parameter.run < 0 || parameter.run == run) &&
+         (parameter.target < 0 || parameter.target == target);
+}
+
+}  // namespace dhcal

@@ -1,0 +1,52 @@
+// A calibration that can be solved: robot, recording, unknowns, readings and where to start.
+#ifndef DHCAL_PROBLEMS_CALIBRATION_H_
+#define DHCAL_PROBLEMS_CALIBRATION_H_
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/kinematics/dh_chain.h"
+#include "core/model/parameter.h"
+#include "core/model/problem_spec.h"
+#include "core/model/recording.h"
+#include "problems/frames.h"
+#include "problems/readings.h"
+
+namespace dhcal {
+
+/// Standard deviations that whiten the readings.
+struct Noise {
+  double sigma = 1.0;           // [m] one coordinate of a row without its own sigma
+  double sigma_rotation = 1.0;  // [rad] one component
+};
+
+/// Immutable once built; `spec` and `recording` must outlive it.
+struct Calibration {
+  Calibration(const ProblemSpec& problem_spec, const Recording& rows);
+
+  const ProblemSpec& spec;
+  const Recording& recording;
+  DhChain chain;
+  std::vector<Parameter> parameters;  // unknown; state k corrects parameters[k]
+  Readings readings;
+  Frames frames;                      // where base and tool start (nominal, or aligned)
+
+  /// Slot perturbations of a row's run and target at a state.
+  Eigen::VectorXd SlotDeltas(const Eigen::VectorXd& state, int row_idx) const;
+  /// Standard deviation of a row's coordinates [m].
+  double RowSigma(int row_idx, const Noise& noise) const;
+  /// Pose X_WQ of a row at a state.
+  Eigen::Isometry3d Pose(const Eigen::VectorXd& state, int row_idx) const;
+  /// X_WQ as measured; only with orientation.
+  Eigen::Isometry3d MeasuredPose(int row_idx) const;
+  /// p_WA of a row's anchor [m]; only for distances.
+  Eigen::Vector3d Anchor(int row_idx) const;
+};
+
+/// True if a parameter acts on rows of this run and target.
+bool InScope(const Parameter& parameter, int run, int target);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_CALIBRATION_H_

@@ -1,0 +1,108 @@
+#include "problems/describe_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/base/units.h"
+#include "core/math/statistics.h"
+#include "problems/parameter_set.h"
+#include "problems/parameter_values.h"
+
+namespace dhcal {
+namespace {
+
+/// "0.21 mm", "0.34 mrad".
+std::string Length(double value, Unit unit) {
+  return unit == Unit::kMetre ? fmt::format("{:.2g} mm", value / kMillimetre)
+                              : fmt::format("{:.2g} mrad", value / kMilliradian);
+}
+
+/// Names that share an undetermined direction with `name`, and the first such sentence.
+void Confounded(const std::vector<NullDirection>& null_space, ParameterResult* result) {
+  for (const NullDirection& n : null_space) {
+    const auto is_here = [&](const auto& entry) { return entry.name == result->name; };
+    if (std::none_of(n.direction.begin(), n.direction.end(), is_here)) continue;
+    if (result->explanation.empty()) result->explanation = n.explanation;
+    for (const auto& entry : n.direction) {
+      auto& others = result->confounded_with;
+      if (entry.name == result->name) continue;
+      if (std::find(others.begin(), others.end(), entry.name) == others.end()) {
+        others.push_back(entry.name);
+      }
+    }
+  }
+}
+
+void Explain(const Determination& d,
+             const Parameter& parameter,
+             double tolerance,
+             const std::vector<NullDirection>& null_space,
+             ParameterResult* result) {
+  switch (d.verdict) {
+    case Verdict::kUnobservable:
+      Confounded(null_space, result);
+      if (result->confounded_with.empty() && !result->explanation.empty()) return;
+      result->confounded_with.clear();
+      result->explanation = fmt::format(
+          "its tolerance of {} moves the readings by less than their noise, even if all other "
+          "parameters were known",
+          Length(tolerance, parameter.unit));
+      return;
+    case Verdict::kConfounded:
+      Confounded(null_space, result);
+      return;
+    case Verdict::kWeak:
+      result->explanation = fmt::format(
+          "known to {} (one sigma), tolerance {}; {} of it hidden among other parameters",
+          Length(result->sigma, parameter.unit), Length(tolerance, parameter.unit),
+          Length(d.hidden * tolerance, parameter.unit));
+      return;
+    case Verdict::kIdentified:
+    case Verdict::kFixed:
+      return;
+  }
+}
+
+}  // namespace
+
+std::vector<ParameterResult> DescribeParameters(const Calibration& c,
+                                                const Eigen::VectorXd& state,
+                                                const FitAnalysis& analysis,
+                                                const std::vector<NullDirection>& null_space) {
+  const RobotModel& nominal = c.spec.robot;
+  const RobotModel calibrated = CalibratedRobot(c, state);
+  const Frames frames_nominal(nominal, c.recording), frames(calibrated, c.recording);
+  const double quantile = StudentTwoSided(0.95, analysis.degrees_of_freedom);
+  std::vector<ParameterResult> results;
+  const auto start = [&](const Parameter& parameter) {
+    ParameterResult result;
+    result.name = parameter.name;
+    result.unit = parameter.unit;
+    result.nominal = ValueIn(nominal, frames_nominal, parameter);
+    result.value = ValueIn(calibrated, frames, parameter);
+    result.correction = Correction(nominal, frames_nominal, calibrated, frames, parameter);
+    return result;
+  };
+  for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+    const Parameter& parameter = c.parameters[k];
+    const auto i = static_cast<Eigen::Index>(k);
+    const Determination& d = analysis.identifiability.parameters[k];
+    ParameterResult result = start(parameter);
+    result.sigma = std::sqrt(analysis.identifiability.covariance(i, i));
+    result.ci95_low = result.value - quantile * result.sigma;
+    result.ci95_high = result.value + quantile * result.sigma;
+    result.verdict = d.verdict;
+    Explain(d, parameter, analysis.identifiability.readings.scale[i], null_space, &result);
+    results.push_back(result);
+  }
+  for (const Parameter& parameter : ResolveParameters(c.spec, c.recording).fixed) {
+    ParameterResult result = start(parameter);
+    result.verdict = Verdict::kFixed;
+    results.push_back(result);
+  }
+  return results;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,69 @@
+#include "problems/fit.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "problems/assembly.h"
+#include "problems/noise.h"
+
+namespace dhcal {
+namespace {
+
+constexpr int kMostNoiseRounds = 6;
+constexpr double kNoiseAgrees = 0.01;
+
+bool Agree(const Noise& a, const Noise& b) {
+  return std::abs(a.sigma / b.sigma - 1) < kNoiseAgrees &&
+         std::abs(a.sigma_rotation / b.sigma_rotation - 1) < kNoiseAgrees;
+}
+
+/// One scale for all readings cancels in a step whose truncation is relative.
+bool DependsOnNoise(const Calibration& c, const SolverOptions& options) {
+  bool priors = false;
+  for (const Parameter& parameter : c.parameters) priors |= parameter.prior_sigma.has_value();
+  return priors || options.truncation.rule == TruncationRule::kNoise ||
+         c.spec.measurement.kind == MeasurementKind::kPose ||
+         c.spec.solver.loss != LossKind::kNone;
+}
+
+}  // namespace
+
+SolverOptions OptionsOf(const SolverSpec& spec) {
+  SolverOptions options;
+  options.kappa = spec.kappa;
+  options.truncation = {spec.rule, spec.relative_tolerance};
+  options.max_iterations = spec.max_iterations;
+  return options;
+}
+
+Fit RunFit(const Calibration& calibration,
+           SolverMethod method,
+           const SolverOptions& options,
+           const Noise& initial_noise,
+           const Progress& progress) {
+  SolverOptions with_progress = options;
+  with_progress.progress = [&](const IterationRecord& record) {
+    if (!progress) return;
+    progress(fmt::format("{} step {}: cost {:.6g}, rank {}", ToString(method), record.iteration,
+                         record.cost, record.rank));
+  };
+  Fit fit;
+  fit.method = method;
+  fit.noise = initial_noise;
+  double seconds = 0;
+  for (int round = 0; round < kMostNoiseRounds; ++round) {
+    const auto factory = [&] { return BuildProblem(calibration, fit.noise); };
+    fit.summary = MakeSolver(method)->Solve(with_progress, factory);
+    seconds += fit.summary.seconds;
+    fit.summary.seconds = seconds;
+    if (!fit.summary.IsSolutionUsable()) break;
+    const int rank = fit.summary.trace.empty() ? 0 : fit.summary.trace.back().rank;
+    fit.noise_seen = NoiseFromResiduals(calibration, fit.noise, fit.summary.state, rank);
+    if (!DependsOnNoise(calibration, options) || Agree(fit.noise_seen, fit.noise)) break;
+    if (round + 1 < kMostNoiseRounds) fit.noise = fit.noise_seen;
+  }
+  return fit;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,38 @@
+// Runs one solver on a calibration, with noise that may have to be found on the way.
+#ifndef DHCAL_PROBLEMS_FIT_H_
+#define DHCAL_PROBLEMS_FIT_H_
+
+#include <functional>
+#include <string>
+
+#include "core/model/problem_spec.h"
+#include "core/solver/solver.h"
+#include "problems/calibration.h"
+
+namespace dhcal {
+
+/// Called with a line of text now and then during long work; may be empty.
+using Progress = std::function<void(const std::string&)>;
+
+struct Fit {
+  SolverMethod method = SolverMethod::kSvdGaussNewton;
+  SolverSummary summary;
+  Noise noise;       // that whitened the last solve
+  Noise noise_seen;  // given, or what the residuals at the solution show
+};
+
+/// Solver options as the problem file sets them.
+SolverOptions OptionsOf(const SolverSpec& spec);
+
+/// Solves from the calibration's start. Where the noise is to be estimated and the solution
+/// depends on it (noise rule, robust loss, two kinds of reading), solves again from the start until
+/// the noise that the residuals show agrees with the one assumed to 1 %.
+Fit RunFit(const Calibration& calibration,
+           SolverMethod method,
+           const SolverOptions& options,
+           const Noise& initial_noise,
+           const Progress& progress);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_FIT_H_

@@ -1,0 +1,114 @@
+#include "problems/fit_analysis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/analysis/ceres_covariance.h"
+#include "core/analysis/null_space.h"
+#include "core/math/statistics.h"
+#include "core/solver/linearization.h"
+#include "problems/assembly.h"
+#include "problems/describe_parameters.h"
+#include "problems/noise.h"
+#include "problems/prediction.h"
+
+namespace dhcal {
+namespace {
+
+void DescribeSolve(const Calibration& c, const Fit& fit, FitResult* result) {
+  const SolverSummary& summary = fit.summary;
+  result->solver = fit.method;
+  result->termination = summary.termination;
+  result->message = summary.message;
+  result->usable = summary.IsSolutionUsable();
+  result->converged = summary.Converged();
+  result->seconds = summary.seconds;
+  result->columns = static_cast<int>(c.parameters.size());
+  result->trace = summary.trace;
+  result->iterations = static_cast<int>(summary.trace.size());
+  result->cost = summary.final_cost;
+  if (!summary.trace.empty()) {
+    result->rank = summary.trace.back().rank;
+    result->kappa_norm = summary.trace.back().kappa_norm;
+  }
+  if (!summary.svd_of_last_step) return;
+  // The paper's rule speaks of the Jacobian in metres; the rows here are whitened.
+  const TruncatedSvd& svd = *summary.svd_of_last_step;
+  const bool raw = c.spec.solver.rule == TruncationRule::kPaper;
+  const double unit = raw ? fit.noise.sigma : 1.0;
+  for (const double s : svd.s) result->singular_values.push_back(s * unit);
+  result->truncation_cut = svd.cut * unit;
+  result->singular_values_of = Describe(OptionsOf(c.spec.solver).truncation);
+}
+
+int NumPoses(const Calibration& c) { return static_cast<int>(c.readings.fitted.size()); }
+
+}  // namespace
+
+FitAnalysis Analyse(const Calibration& c, const Fit& fit) {
+  FitAnalysis analysis;
+  analysis.noise = fit.noise_seen;
+  const auto problem = BuildProblem(c, analysis.noise);
+  problem->set_state(fit.summary.state);
+  Linearization readings, all;
+  if (!Linearize(problem.get(), &all, &readings)) return analysis;
+  analysis.num_residuals = readings.num_residuals;
+  analysis.cost = all.cost();
+  analysis.identifiability = Identify(readings, all, problem->scales.tolerance, NumPoses(c));
+  analysis.degrees_of_freedom =
+      SourceOfNoise(c).all_given()
+          ? std::numeric_limits<double>::infinity()
+          : std::max(1, readings.num_residuals - analysis.identifiability.readings.rank);
+  return analysis;
+}
+
+FitResult DescribeFit(const Calibration& c, const Fit& fit, const FitAnalysis* analysis) {
+  FitResult result;
+  DescribeSolve(c, fit, &result);
+  if (!result.usable || analysis == nullptr) return result;
+  const Identifiability& identifiability = analysis->identifiability;
+  result.cost = analysis->cost;
+  const int freedom = analysis->num_residuals - identifiability.readings.rank;
+  if (SourceOfNoise(c).all_given() && freedom > 0) {
+    result.chi2_reduced = 2 * analysis->cost / freedom;
+  }
+  const ResidualStatistics statistics = Statistics(c, fit.summary.state, c.readings.fitted);
+  result.rms = statistics.rms;
+  result.rms_point = statistics.rms_point;
+  result.max_point = statistics.max_point;
+  result.rms_rotation = statistics.rms_rotation;
+  result.rank_numerical = identifiability.numerical_rank;
+  result.condition_number = identifiability.condition_number;
+  result.observability = identifiability.observability;
+  result.null_space = ExplainNullSpace(identifiability.readings, c.parameters, c.spec.robot,
+                                       c.spec.measurement.kind);
+  result.parameters = DescribeParameters(c, fit.summary.state, *analysis, result.null_space);
+
+  const auto problem = BuildProblem(c, analysis->noise);
+  problem->set_state(fit.summary.state);
+  const CovarianceCheck check = CheckAgainstCeres(identifiability, c.parameters, problem.get());
+  result.covariance_check = check.sentence;
+  result.covariance_difference = check.difference;
+  return result;
+}
+
+std::vector<ComparedParameter> CompareFits(const Calibration& c,
+                                           const Identifiability& identifiability,
+                                           const Eigen::VectorXd& gauss_newton,
+                                           const Eigen::VectorXd& levenberg_marquardt) {
+  const TruncatedSvd& svd = identifiability.readings;
+  const Eigen::VectorXd scaled =
+      (gauss_newton - levenberg_marquardt).cwiseQuotient(svd.scale);
+  const Eigen::VectorXd hidden = svd.dropped() * (svd.dropped().transpose() * scaled);
+  std::vector<ComparedParameter> compared;
+  for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    compared.push_back({c.parameters[k].name, c.parameters[k].unit, gauss_newton[i],
+                        levenberg_marquardt[i], (scaled[i] - hidden[i]) * svd.scale[i],
+                        hidden[i] * svd.scale[i]});
+  }
+  return compared;
+}
+
+}  // namespace dhcal

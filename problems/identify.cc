@@ -1,0 +1,156 @@
+#include "problems/identify.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "core/base/units.h"
+#include "problems/fit_analysis.h"
+#include "problems/noise.h"
+#include "problems/parameter_values.h"
+#include "problems/prediction.h"
+#include "problems/start.h"
+#include "problems/validation.h"
+
+namespace dhcal {
+namespace {
+
+bool IsFrameParameter(const Parameter& p) {
+  return p.group == ParameterGroup::kBase || p.group == ParameterGroup::kTool;
+}
+
+Baseline BaselineOf(const Calibration& c, const Eigen::VectorXd& state) {
+  const ResidualStatistics s = Statistics(c, state, c.readings.fitted);
+  return {s.rms, s.rms_point, s.max_point};
+}
+
+/// Fits base and tool alone and makes the outcome the start of the full fit.
+std::optional<Baseline> FitFramesAlone(Calibration* c, const Progress& progress) {
+  Calibration frames_only = *c;
+  auto& unknowns = frames_only.parameters;
+  unknowns.erase(std::remove_if(unknowns.begin(), unknowns.end(),
+                                [](const Parameter& p) { return !IsFrameParameter(p); }),
+                 unknowns.end());
+  if (unknowns.empty()) return std::nullopt;
+  SolverOptions options = OptionsOf(c->spec.solver);
+  options.truncation = Truncation();
+  const Fit fit = RunFit(frames_only, SolverMethod::kSvdGaussNewton, options,
+                         InitialNoise(frames_only), progress);
+  if (!fit.summary.IsSolutionUsable()) return std::nullopt;
+  const Baseline baseline = BaselineOf(frames_only, fit.summary.state);
+  // A prior holds a parameter to the file's value: moving the start would move the prior.
+  const bool has_prior = std::any_of(unknowns.begin(), unknowns.end(),
+                                     [](const Parameter& p) { return p.prior_sigma.has_value(); });
+  if (!has_prior) c->frames.Apply(unknowns, fit.summary.state, c->chain.slots());
+  return baseline;
+}
+
+std::vector<SolverMethod> Methods(SolverMethod asked) {
+  if (asked != SolverMethod::kBoth) return {asked};
+  return {SolverMethod::kSvdGaussNewton, SolverMethod::kLevenbergMarquardt};
+}
+
+void AddNotes(const Calibration& c, Result* result) {
+  if (!SourceOfNoise(c).sigma_given && result->noise_sigma <= kFinestSigma) {
+    result->notes.push_back(fmt::format(
+        "The residuals are smaller than any instrument's noise. What can be trusted is judged as "
+        "if one coordinate were read to {:g} um; give measurement.sigma_mm for your instrument.",
+        kFinestSigma / kMicrometre));
+  }
+  if (c.spec.measurement.kind == MeasurementKind::kAdjacentPosition &&
+      c.spec.measurement.noise == NoiseKind::kIndependent && !HasDisplacements(c.recording)) {
+    result->notes.push_back(
+        "Differences were taken from measured positions, so each position's error enters two of "
+        "them; 'noise: shared_pose' would weigh that exactly.");
+  }
+  // Fixed scale: no reading of a length standard is in such data.
+  result->notes.push_back(
+      "A common scale error of all lengths (instrument, ruler or temperature) cannot be told from "
+      "a robot that is larger or smaller by the same factor.");
+}
+
+/// Analyses and describes each fit; the first usable one is the answer.
+void DescribeFits(const Calibration& c, const std::vector<Fit>& fits, Result* result) {
+  std::optional<FitAnalysis> best_analysis;
+  for (const Fit& fit : fits) {
+    std::optional<FitAnalysis> analysis;
+    if (fit.summary.IsSolutionUsable()) analysis = Analyse(c, fit);
+    result->fits.push_back(DescribeFit(c, fit, analysis ? &*analysis : nullptr));
+    if (analysis && result->best_fit < 0) {
+      result->best_fit = static_cast<int>(result->fits.size()) - 1;
+      best_analysis = analysis;
+    }
+  }
+  if (result->best_fit < 0) return;
+  const Fit& best = fits[static_cast<std::size_t>(result->best_fit)];
+  const Eigen::VectorXd& state = best.summary.state;
+  result->noise_sigma = best_analysis->noise.sigma;
+  if (c.spec.measurement.kind == MeasurementKind::kPose) {
+    result->noise_sigma_rotation = best_analysis->noise.sigma_rotation;
+  }
+  if (fits.size() == 2 && fits[0].summary.IsSolutionUsable() &&
+      fits[1].summary.IsSolutionUsable()) {
+    result->comparison =
+        CompareFits(c, best_analysis->identifiability, state, fits[1].summary.state);
+  }
+  result->validation = Validate(c, *best_analysis, state);
+  result->residuals = DescribeRows(c, *best_analysis, state);
+  result->calibrated = CalibratedRobot(c, state);
+}
+
+}  // namespace
+
+void CheckEnoughReadings(const ProblemSpec& spec,
+                         const Recording& recording,
+                         Diagnostics* diagnostics) {
+  const Calibration c(spec, recording);
+  const auto unknowns = c.parameters.size();
+  const std::size_t numbers = c.readings.fitted.size() *
+                              static_cast<std::size_t>(NumCoordinates(spec.measurement.kind));
+  if (unknowns == 0) {
+    diagnostics->Error(spec.parameters.where,
+                       "parameters: nothing is left to estimate; name a group in 'estimate' that "
+                       "'fix' does not take away");
+  } else if (numbers < unknowns) {
+    diagnostics->Error(
+        {recording.file, 0, 0},
+        fmt::format("{} readings give {} numbers, fewer than the {} free parameters; record more "
+                    "poses or estimate less",
+                    c.readings.fitted.size(), numbers, unknowns));
+  }
+}
+
+Result IdentifyGeometry(const ProblemSpec& spec,
+                        const Recording& recording,
+                        const Progress& progress) {
+  Calibration c(spec, recording);
+  Result result;
+  result.problem = spec.name;
+  result.program_version = DHCAL_VERSION;
+  result.kind = spec.measurement.kind;
+  result.rows = static_cast<int>(c.readings.fitted.size());
+  result.rows_test = static_cast<int>(c.readings.test.size());
+  result.num_poses = recording.num_rows();
+  result.simulated = spec.simulate.has_value();
+  result.coordinate_names = CoordinateNames(spec.measurement.kind);
+  result.calibrated = spec.robot;
+  result.noise_source = SourceOfNoise(c).description;
+  result.nominal =
+      BaselineOf(c, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(c.parameters.size())));
+
+  AlignStart(&c);
+  result.base_and_tool_only = FitFramesAlone(&c, progress);
+  const Noise noise = InitialNoise(c);
+  std::vector<Fit> fits;
+  for (const SolverMethod method : Methods(spec.solver.method)) {
+    const bool known = !fits.empty() && fits[0].summary.IsSolutionUsable();
+    const Noise& start = known ? fits[0].noise_seen : noise;
+    fits.push_back(RunFit(c, method, OptionsOf(spec.solver), start, progress));
+  }
+  DescribeFits(c, fits, &result);
+  AddNotes(c, &result);
+  return result;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,117 @@
+#include "problems/noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/math/statistics.h"
+#include "core/solver/linearization.h"
+#include "core/solver/truncation.h"
+#include "problems/assembly.h"
+
+namespace dhcal {
+namespace {
+
+// Loose enough that rounding is not taken for a direction.
+constexpr double kRelativeCut = 1e-8;
+
+/// Whitened residuals, apart for lengths and rotations.
+struct WhitenedResiduals {
+  std::vector<double> lengths, rotations;
+};
+
+WhitenedResiduals Split(const Calibration& c, const Eigen::VectorXd& residuals) {
+  const int coordinates = NumCoordinates(c.spec.measurement.kind);
+  WhitenedResiduals split;
+  for (Eigen::Index k = 0; k < residuals.size(); ++k) {
+    const bool rotation = k % coordinates >= 3;
+    (rotation ? split.rotations : split.lengths).push_back(residuals[k]);
+  }
+  return split;
+}
+
+/// Whitened residuals of the linear model after a step.
+Eigen::VectorXd ResidualsAfter(EstimationProblem* problem, const Eigen::VectorXd& step) {
+  std::vector<double> residuals;
+  ForEachChunk(problem, problem->readings,
+               [&](int /*first*/, const Eigen::VectorXd& r, const Eigen::MatrixXd& J) {
+                 const Eigen::VectorXd after = r + J * step;
+                 residuals.insert(residuals.end(), after.begin(), after.end());
+               });
+  return Eigen::Map<Eigen::VectorXd>(residuals.data(),
+                                     static_cast<Eigen::Index>(residuals.size()));
+}
+
+/// Standard deviation of values that `share` of the freedom is left to.
+double Scale(const std::vector<double>& values, double share, bool robust) {
+  if (robust) return RobustScale(values);
+  double square = 0;
+  for (const double value : values) square += value * value;
+  return std::sqrt(square / (static_cast<double>(values.size()) * share));
+}
+
+Noise Rescale(const Calibration& c, const Noise& noise, const WhitenedResiduals& r, int rank) {
+  const NoiseSource source = SourceOfNoise(c);
+  const auto count = static_cast<double>(r.lengths.size() + r.rotations.size());
+  const double share = std::max(1.0 - rank / count, 1.0 / count);
+  const bool robust = c.spec.solver.loss != LossKind::kNone;
+  Noise result = noise;
+  if (!source.sigma_given) {
+    result.sigma = std::max(noise.sigma * Scale(r.lengths, share, robust), kFinestSigma);
+  }
+  if (!source.rotation_given) {
+    result.sigma_rotation = std::max(
+        noise.sigma_rotation * Scale(r.rotations, share, robust), kFinestSigmaRotation);
+  }
+  return result;
+}
+
+}  // namespace
+
+NoiseSource SourceOfNoise(const Calibration& c) {
+  const bool per_row = c.recording.sigma.size() > 0 && c.recording.sigma.allFinite();
+  NoiseSource source;
+  source.sigma_given = per_row || c.spec.measurement.sigma.has_value();
+  source.rotation_given = c.spec.measurement.kind != MeasurementKind::kPose ||
+                          c.spec.measurement.sigma_rotation.has_value();
+  source.description = per_row              ? "given per row"
+                       : source.sigma_given ? "given"
+                                            : "estimated from the residuals";
+  return source;
+}
+
+Noise InitialNoise(const Calibration& c) {
+  Noise noise;
+  if (c.recording.sigma.size() > 0) {
+    std::vector<double> known;
+    for (const double sigma : c.recording.sigma) {
+      if (std::isfinite(sigma)) known.push_back(sigma);
+    }
+    if (!known.empty()) noise.sigma = Median(known);
+  }
+  noise.sigma = c.spec.measurement.sigma.value_or(noise.sigma);
+  noise.sigma_rotation = c.spec.measurement.sigma_rotation.value_or(noise.sigma_rotation);
+  if (SourceOfNoise(c).all_given()) return noise;
+
+  const auto problem = BuildProblem(c, noise, /*with_loss=*/false);
+  Linearization linearization;
+  if (!Linearize(problem.get(), &linearization)) return noise;
+  const Truncation rule{TruncationRule::kRelative, kRelativeCut};
+  const TruncatedSvd svd = Truncate(rule, problem->scales.tolerance, linearization);
+  const Eigen::VectorXd step = svd.Solve(linearization.b);
+  return Rescale(c, noise, Split(c, ResidualsAfter(problem.get(), step)), svd.rank);
+}
+
+Noise NoiseFromResiduals(const Calibration& c,
+                         const Noise& noise,
+                         const Eigen::VectorXd& state,
+                         int rank) {
+  if (SourceOfNoise(c).all_given()) return noise;
+  const auto problem = BuildProblem(c, noise, /*with_loss=*/false);
+  problem->set_state(state);
+  Eigen::VectorXd residuals;
+  if (!EvaluateReadings(problem.get(), &residuals)) return noise;
+  return Rescale(c, noise, Split(c, residuals), rank);
+}
+
+}  // namespace dhcal

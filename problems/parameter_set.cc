@@ -1,0 +1,159 @@
+#include "problems/parameter_set.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/analysis/null_space.h"
+#include "core/base/units.h"
+#include "core/kinematics/slots.h"
+
+namespace dhcal {
+namespace {
+
+const std::vector<std::pair<ParameterGroup, JointSlot>> kJointGroups = {
+    {ParameterGroup::kTheta, JointSlot::kTheta},
+    {ParameterGroup::kAlpha, JointSlot::kAlpha},
+    {ParameterGroup::kA, JointSlot::kA},
+    {ParameterGroup::kD, JointSlot::kD},
+    {ParameterGroup::kBeta, JointSlot::kBeta}};
+
+Parameter MakeParameter(const SlotLayout& slots, int slot, ParameterGroup group) {
+  Parameter parameter;
+  parameter.name = slots.Name(slot);
+  parameter.group = group;
+  parameter.unit = slots.is_angle(slot) ? Unit::kRadian : Unit::kMetre;
+  parameter.slot = slot;
+  parameter.tolerance = DefaultTolerance(group, parameter.unit);
+  return parameter;
+}
+
+void AddFrame(const SlotLayout& slots,
+              int first_slot,
+              ParameterGroup group,
+              const std::vector<std::string>& suffixes,
+              int Parameter::* scope,
+              std::vector<Parameter>* all) {
+  // No suffix: one frame for all rows.
+  const std::size_t count = std::max<std::size_t>(suffixes.size(), 1);
+  for (std::size_t copy = 0; copy < count; ++copy) {
+    for (int component = 0; component < SlotLayout::kPerFrame; ++component) {
+      Parameter parameter = MakeParameter(slots, first_slot + component, group);
+      if (!suffixes.empty()) {
+        parameter.name += "." + suffixes[copy];
+        parameter.*scope = static_cast<int>(copy);
+      }
+      all->push_back(parameter);
+    }
+  }
+}
+
+std::vector<Parameter> AllParameters(const RobotModel& robot, const Recording& recording) {
+  const SlotLayout slots(robot.num_joints());
+  std::vector<Parameter> all;
+  for (const auto& [group, slot] : kJointGroups) {
+    for (int joint = 0; joint < robot.num_joints(); ++joint) {
+      all.push_back(MakeParameter(slots, slots.joint(joint, slot), group));
+    }
+  }
+  const std::vector<std::string> runs =
+      recording.run_names.empty() ? std::vector<std::string>{"1"} : recording.run_names;
+  AddFrame(slots, slots.base(0), ParameterGroup::kBase,
+           robot.base_per_run ? runs : std::vector<std::string>(), &Parameter::run, &all);
+  std::vector<std::string> targets;
+  for (const Target& target : robot.targets) targets.push_back(target.name);
+  if (robot.tool_per_run) {
+    AddFrame(slots, slots.tool(0), ParameterGroup::kTool, runs, &Parameter::run, &all);
+  } else {
+    AddFrame(slots, slots.tool(0), ParameterGroup::kTool, targets, &Parameter::target, &all);
+  }
+  return all;
+}
+
+/// "tool_z.A" -> "tool_z".
+std::string WithoutScope(const std::string& name) { return name.substr(0, name.find('.')); }
+
+bool Names(const std::string& entry, const Parameter& parameter) {
+  return entry == parameter.name || entry == WithoutScope(parameter.name) ||
+         entry == ToString(parameter.group);
+}
+
+bool IsListed(const std::vector<std::string>& entries,
+              const std::vector<int>& needs_beta,
+              const Parameter& parameter) {
+  for (const std::string& entry : entries) {
+    if (Names(entry, parameter)) return true;
+    if (entry != "complete") continue;
+    if (parameter.group != ParameterGroup::kBeta) return true;
+    const int joint = parameter.slot / SlotLayout::kPerJoint;
+    if (std::find(needs_beta.begin(), needs_beta.end(), joint) != needs_beta.end()) return true;
+  }
+  return false;
+}
+
+/// The most particular entry wins: full name, name without scope, group.
+void SetPrior(const std::map<std::string, double>& priors, Parameter* parameter) {
+  std::string group = ToString(parameter->group);
+  if (parameter->group == ParameterGroup::kBase || parameter->group == ParameterGroup::kTool) {
+    group += parameter->unit == Unit::kMetre ? ":m" : ":rad";
+  }
+  for (const std::string& key : {parameter->name, WithoutScope(parameter->name), group}) {
+    const auto found = priors.find(key);
+    if (found == priors.end()) continue;
+    parameter->prior_sigma = found->second;
+    return;
+  }
+}
+
+}  // namespace
+
+double DefaultTolerance(ParameterGroup group, Unit unit) {
+  switch (group) {
+    case ParameterGroup::kTheta:
+      return 3 * kMilliradian;  // mastering
+    case ParameterGroup::kAlpha:
+    case ParameterGroup::kBeta:
+      return 1 * kMilliradian;  // machining of a casting
+    case ParameterGroup::kA:
+    case ParameterGroup::kD:
+      return 0.5 * kMillimetre;
+    case ParameterGroup::kBase:
+    case ParameterGroup::kTool:
+      // After the closed-form alignment; what set-up leaves is found from the readings.
+      return unit == Unit::kMetre ? 5 * kMillimetre : 5 * kMilliradian;
+  }
+  return 0;
+}
+
+double CorrectionLimit(const Parameter& parameter) {
+  if (parameter.group == ParameterGroup::kBase) return std::numeric_limits<double>::infinity();
+  return 1.0;  // [rad] or [m]
+}
+
+std::vector<int> JointsThatNeedBeta(const RobotModel& robot) {
+  const int shift = robot.convention == DhConvention::kStandard ? 0 : 1;
+  std::vector<int> joints;
+  for (int joint = 0; joint + 1 < robot.num_joints(); ++joint) {
+    if (AxesParallel(robot, joint, joint + 1)) joints.push_back(joint + shift);
+  }
+  return joints;
+}
+
+ParameterSet ResolveParameters(const ProblemSpec& spec, const Recording& recording) {
+  const std::vector<int> needs_beta = JointsThatNeedBeta(spec.robot);
+  ParameterSet set;
+  for (Parameter& parameter : AllParameters(spec.robot, recording)) {
+    SetPrior(spec.parameters.prior_sigma, &parameter);
+    const bool estimated = IsListed(spec.parameters.estimate, needs_beta, parameter) &&
+                           !IsListed(spec.parameters.fix, needs_beta, parameter);
+    // A beta that nobody asked for is no part of a plain DH row: not worth a line in the report.
+    if (!estimated && parameter.group == ParameterGroup::kBeta &&
+        spec.robot.joints[static_cast<std::size_t>(parameter.slot / SlotLayout::kPerJoint)].beta ==
+            0) {
+      continue;
+    }
+    (estimated ? set.estimated : set.fixed).push_back(parameter);
+  }
+  return set;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,84 @@
+#include "problems/parameter_values.h"
+
+#include <algorithm>
+
+#include <glog/logging.h>
+
+#include "core/kinematics/slots.h"
+#include "core/math/rotation.h"
+
+namespace dhcal {
+namespace {
+
+double& RowEntry(JointSlot kind, JointRow* row) {
+  switch (kind) {
+    case JointSlot::kTheta:
+      return row->theta;
+    case JointSlot::kD:
+      return row->d;
+    case JointSlot::kA:
+      return row->a;
+    case JointSlot::kAlpha:
+      return row->alpha;
+    case JointSlot::kBeta:
+      return row->beta;
+  }
+  LOG(FATAL) << "no such slot";
+}
+
+JointSlot KindOf(int slot) { return static_cast<JointSlot>(slot % SlotLayout::kPerJoint); }
+
+const Eigen::Isometry3d& FrameOf(const Frames& frames, const Parameter& p) {
+  const int run = std::max(p.run, 0), target = std::max(p.target, 0);
+  return p.group == ParameterGroup::kBase ? frames.base(run) : frames.tool(run, target);
+}
+
+int Component(const RobotModel& robot, const Parameter& p) {
+  const SlotLayout slots(robot.num_joints());
+  return p.slot - (p.group == ParameterGroup::kBase ? slots.base(0) : slots.tool(0));
+}
+
+bool IsFrame(const Parameter& p) {
+  return p.group == ParameterGroup::kBase || p.group == ParameterGroup::kTool;
+}
+
+}  // namespace
+
+RobotModel CalibratedRobot(const Calibration& c, const Eigen::VectorXd& state) {
+  RobotModel robot = c.spec.robot;
+  for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+    const Parameter& p = c.parameters[k];
+    if (IsFrame(p)) continue;
+    JointRow& row = robot.joints[static_cast<std::size_t>(p.slot / SlotLayout::kPerJoint)];
+    RowEntry(KindOf(p.slot), &row) += state[static_cast<Eigen::Index>(k)];
+  }
+  Frames frames = c.frames;
+  frames.Apply(c.parameters, state, c.chain.slots());
+  frames.Store(c.recording, &robot);
+  return robot;
+}
+
+double ValueIn(const RobotModel& robot, const Frames& frames, const Parameter& p) {
+  if (!IsFrame(p)) {
+    JointRow row = robot.joints[static_cast<std::size_t>(p.slot / SlotLayout::kPerJoint)];
+    return RowEntry(KindOf(p.slot), &row);
+  }
+  const Eigen::Isometry3d& X = FrameOf(frames, p);
+  const int component = Component(robot, p);
+  return component < 3 ? X.translation()[component] : LogSO3(X.linear())[component - 3];
+}
+
+double Correction(const RobotModel& from,
+                  const Frames& frames_from,
+                  const RobotModel& to,
+                  const Frames& frames_to,
+                  const Parameter& p) {
+  if (!IsFrame(p) || Component(from, p) < 3) {
+    return ValueIn(to, frames_to, p) - ValueIn(from, frames_from, p);
+  }
+  const Eigen::Matrix3d turn =
+      FrameOf(frames_to, p).linear() * FrameOf(frames_from, p).linear().transpose();
+  return LogSO3(turn)[Component(from, p) - 3];
+}
+
+}  // namespace dhcal

@@ -1,0 +1,110 @@
+#include "problems/start.h"
+
+#include <algorithm>
+
+#include <Eigen/SVD>
+
+namespace dhcal {
+namespace {
+
+/// The rotation nearest to a 3 x 3 matrix.
+Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& M) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Vector3d signs(1, 1, (svd.matrixU() * svd.matrixV().transpose()).determinant());
+  return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+}
+
+/// All six parameters of the group are free for this run and target, and none has a prior.
+bool IsFree(const Calibration& c, ParameterGroup group, int run, int target) {
+  const auto free = [&](const Parameter& p) {
+    return p.group == group && InScope(p, run, target) && !p.prior_sigma;
+  };
+  return std::count_if(c.parameters.begin(), c.parameters.end(), free) == SlotLayout::kPerFrame;
+}
+
+Eigen::Matrix3Xd Columns(const std::vector<Eigen::Vector3d>& points) {
+  Eigen::Matrix3Xd columns(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    columns.col(static_cast<Eigen::Index>(k)) = points[k];
+  }
+  return columns;
+}
+
+/// X_BQ of a row with the tool as it stands.
+Eigen::Isometry3d PoseInBase(const Calibration& c, int row_idx) {
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(c.chain.slots().size());
+  return c.chain.FlangePose(c.recording.q.row(row_idx).transpose(), zero) *
+         c.frames.tool(c.recording.run(row_idx), c.recording.target(row_idx));
+}
+
+void AlignBase(int run, Calibration* c) {
+  const bool adjacent = c->spec.measurement.kind == MeasurementKind::kAdjacentPosition;
+  std::vector<Eigen::Vector3d> in_base, in_world;
+  for (const Reading& reading : c->readings.fitted) {
+    if (c->frames.base_per_run() && c->recording.run(reading.row_idx) != run) continue;
+    const Eigen::Vector3d p_BQ = PoseInBase(*c, reading.row_idx).translation();
+    if (adjacent) {
+      in_base.push_back(p_BQ - PoseInBase(*c, reading.previous_idx).translation());
+      in_world.push_back(MeasuredDisplacement(c->recording, reading));
+    } else {
+      in_base.push_back(p_BQ);
+      in_world.push_back(c->recording.p_WQ.row(reading.row_idx));
+    }
+  }
+  if (in_base.empty()) return;
+  if (adjacent) {
+    c->frames.mutable_base(run).linear() = AlignVectors(Columns(in_base), Columns(in_world));
+  } else {
+    c->frames.mutable_base(run) = AlignPoints(Columns(in_base), Columns(in_world));
+  }
+}
+
+void AlignToolRotation(int run, int target, Calibration* c) {
+  std::vector<Eigen::Matrix3d> rotations;
+  for (const Reading& reading : c->readings.fitted) {
+    const int row_run = c->recording.run(reading.row_idx);
+    if (c->frames.tool_per_run() && row_run != run) continue;
+    if (!c->spec.robot.targets.empty() && c->recording.target(reading.row_idx) != target) continue;
+    const Eigen::Isometry3d X_WT = c->frames.base(row_run) * PoseInBase(*c, reading.row_idx) *
+                                   c->frames.tool(row_run, target).inverse();
+    rotations.push_back(X_WT.linear().transpose() * c->MeasuredPose(reading.row_idx).linear());
+  }
+  if (!rotations.empty()) c->frames.mutable_tool(run, target).linear() = MeanRotation(rotations);
+}
+
+}  // namespace
+
+Eigen::Matrix3d AlignVectors(const Eigen::Matrix3Xd& v_B, const Eigen::Matrix3Xd& v_W) {
+  return NearestRotation(v_W * v_B.transpose());
+}
+
+Eigen::Isometry3d AlignPoints(const Eigen::Matrix3Xd& p_B, const Eigen::Matrix3Xd& p_W) {
+  const Eigen::Vector3d mean_B = p_B.rowwise().mean(), mean_W = p_W.rowwise().mean();
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  X_WB.linear() = AlignVectors(p_B.colwise() - mean_B, p_W.colwise() - mean_W);
+  X_WB.translation() = mean_W - X_WB.linear() * mean_B;
+  return X_WB;
+}
+
+Eigen::Matrix3d MeanRotation(const std::vector<Eigen::Matrix3d>& rotations) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const Eigen::Matrix3d& R : rotations) sum += R;
+  return NearestRotation(sum);
+}
+
+void AlignStart(Calibration* c) {
+  if (c->spec.measurement.kind == MeasurementKind::kDistance) return;
+  const int num_runs = std::max<int>(static_cast<int>(c->recording.run_names.size()), 1);
+  const int num_targets = std::max<int>(static_cast<int>(c->spec.robot.targets.size()), 1);
+  for (int run = 0; run < (c->frames.base_per_run() ? num_runs : 1); ++run) {
+    if (IsFree(*c, ParameterGroup::kBase, run, 0)) AlignBase(run, c);
+  }
+  if (c->spec.measurement.kind != MeasurementKind::kPose) return;
+  for (int run = 0; run < (c->frames.tool_per_run() ? num_runs : 1); ++run) {
+    for (int target = 0; target < num_targets; ++target) {
+      if (IsFree(*c, ParameterGroup::kTool, run, target)) AlignToolRotation(run, target, c);
+    }
+  }
+}
+
+}  // namespace dhcal

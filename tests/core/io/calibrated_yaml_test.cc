@@ -1,0 +1,222 @@
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/rng.h"
+#include "core/base/units.h"
+#include "core/io/problem_reader.h"
+#include "core/io/result_writer.h"
+#include "core/math/rotation.h"
+#include "tests/core/io/comma_locale.h"
+#include "tests/core/io/temp_folder.h"
+
+namespace dhcal {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr char kProblem[] = R"(# by hand
+schema: 1
+name: "cell 7"
+robot:
+  name: two-joint test arm
+  convention: modified
+  units: {angle: rad, length: mm}
+  joints:
+    - {name: turn, type: revolute, theta: 0.5, d: 100, a_m: 0.3, alpha: 1.5707963267948966, sign: -1}
+    - {name: slide, type: prismatic, theta_deg: 90, a: 0, alpha_deg: 0}
+  base: {xyz_mm: [10, 20, 30], rpy_deg: [0, 0, 45], per_run: true, runs: {day: {xyz_m: [1, 2, 3]}}}
+  tool: {xyz_m: [0, 0, 0.2]}
+  gravity_m_s2: [0, 0, -9.81]
+  payload: {mass_kg: 2, com_mm: [0, 0, 50]}
+measurement: {kind: position, sigma_mm: 0.02}
+recording: data/day.csv
+parameters:
+  estimate: [theta, d]
+  fix: [theta2]
+  prior_sigma: {d_mm: 0.5}
+solver: {method: both, kappa: 1e-9}
+)";
+
+constexpr char kTargets[] = R"(schema: 1
+name: targets
+robot:
+  joints:
+    - {type: revolute, theta_deg: 0, d_m: 0.1, a_m: 0.3, alpha_deg: 90}
+  targets: {A: {xyz_m: [0, 0, 0.2]}, "B 2": {xyz_mm: [1, 2, 3], rpy_deg: [10, 20, 30]}}
+measurement: {kind: position}
+parameters: {estimate: [theta]}
+simulate:
+  motion: {kind: random, poses: 30, min_deg: [-90], max_deg: [90]}
+  noise_mm: 0.1
+)";
+
+ProblemSpec ReadText(const TempFolder& folder, const std::string& name, const std::string& text) {
+  WriteFile(folder / name, text);
+  Diagnostics diagnostics;
+  std::optional<ProblemSpec> spec = ReadProblemFile(folder / name, "", &diagnostics);
+  EXPECT_TRUE(spec.has_value()) << diagnostics.ToString() << text;
+  return spec.value_or(ProblemSpec());
+}
+
+/// Moves every number of the robot by something with all its digits.
+RobotModel Perturbed(RobotModel robot, Rng* rng) {
+  const auto move = [rng](Eigen::Isometry3d* X) {
+    for (double& value : X->translation()) value += 1e-3 * rng->Normal();
+    const Eigen::Vector3d r(rng->Normal(), rng->Normal(), rng->Normal());
+    X->linear() = ExpSO3<double>(1e-2 * r) * X->linear();
+  };
+  for (JointRow& row : robot.joints) {
+    for (double* value : {&row.theta, &row.d, &row.a, &row.alpha, &row.beta}) {
+      *value += 1e-3 * rng->Normal();
+    }
+  }
+  move(&robot.X_WB);
+  for (RunFrame& frame : robot.base_of_run) move(&frame.X);
+  if (robot.targets.empty()) move(&robot.X_TQ);
+  for (Target& target : robot.targets) move(&target.X_TQ);
+  return robot;
+}
+
+void ExpectSamePose(const Eigen::Isometry3d& a,
+                    const Eigen::Isometry3d& b,
+                    double tolerance = 2e-15) {
+  EXPECT_EQ(a.translation(), b.translation());
+  EXPECT_LT((a.linear() - b.linear()).cwiseAbs().maxCoeff(), tolerance);
+}
+
+void ExpectSameRobot(const RobotModel& a, const RobotModel& b) {
+  ASSERT_EQ(a.num_joints(), b.num_joints());
+  for (int i = 0; i < a.num_joints(); ++i) {
+    EXPECT_EQ(a.joints[i].name, b.joints[i].name);
+    EXPECT_EQ(a.joints[i].type, b.joints[i].type);
+    EXPECT_EQ(a.joints[i].sign, b.joints[i].sign);
+    EXPECT_EQ(a.joints[i].d, b.joints[i].d);
+    EXPECT_EQ(a.joints[i].a, b.joints[i].a);
+    EXPECT_NEAR(a.joints[i].theta, b.joints[i].theta, 1e-15);
+    EXPECT_NEAR(a.joints[i].alpha, b.joints[i].alpha, 1e-15);
+    EXPECT_NEAR(a.joints[i].beta, b.joints[i].beta, 1e-15);
+  }
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.convention, b.convention);
+  EXPECT_EQ(a.gravity_B, b.gravity_B);
+  EXPECT_EQ(a.payload.mass, b.payload.mass);
+  EXPECT_EQ(a.payload.p_LC, b.payload.p_LC);
+  ExpectSamePose(a.X_WB, b.X_WB);
+  ExpectSamePose(a.X_TQ, b.X_TQ);
+}
+
+TEST(CalibratedYaml, ReadsBackAsTheCalibratedRobot) {
+  const TempFolder folder;
+  Rng rng(7);
+  const ProblemSpec spec = ReadText(folder, "problem.yaml", kProblem);
+  for (int i = 0; i < 50; ++i) {
+    const RobotModel robot = Perturbed(spec.robot, &rng);
+    const std::string text = CalibratedYaml(spec, robot, "../data/day.csv");
+    const ProblemSpec read = ReadText(folder, "calibrated.yaml", text);
+    ExpectSameRobot(robot, read.robot);
+    EXPECT_TRUE(read.robot.base_per_run);
+    ASSERT_EQ(read.robot.base_of_run.size(), 1u);
+    EXPECT_EQ(read.robot.base_of_run[0].run, "day");
+    ExpectSamePose(read.robot.base_of_run[0].X, robot.base_of_run[0].X);
+  }
+}
+
+TEST(CalibratedYaml, KeepsEverythingElse) {
+  const TempFolder folder;
+  const ProblemSpec spec = ReadText(folder, "problem.yaml", kProblem);
+  const std::string text = CalibratedYaml(spec, spec.robot, "recording.csv");
+  const ProblemSpec read = ReadText(folder, "calibrated.yaml", text);
+  EXPECT_EQ(read.name, "cell 7");
+  EXPECT_EQ(read.measurement.sigma, spec.measurement.sigma);
+  EXPECT_EQ(read.parameters.estimate, spec.parameters.estimate);
+  EXPECT_EQ(read.parameters.fix, spec.parameters.fix);
+  EXPECT_EQ(read.parameters.prior_sigma, spec.parameters.prior_sigma);
+  EXPECT_EQ(read.solver.kappa, spec.solver.kappa);
+  EXPECT_EQ(read.solver.method, SolverMethod::kBoth);
+  EXPECT_EQ(read.recording, folder / "recording.csv");
+}
+
+TEST(CalibratedYaml, WritesUnitsAtEachNumberAndNoneElsewhere) {
+  const TempFolder folder;
+  const ProblemSpec spec = ReadText(folder, "problem.yaml", kProblem);
+  const std::string text = CalibratedYaml(spec, spec.robot, "recording.csv");
+  EXPECT_THAT(text, StartsWith("# Made by ceres_dhcal from problem.yaml:"));
+  EXPECT_THAT(text, HasSubstr("{name: turn, type: revolute, sign: -1, theta_deg: 28.64788975654116, "
+                              "d_m: 0.1, a_m: 0.3, alpha_deg: 90}"));
+  EXPECT_THAT(text, AllOf(Not(HasSubstr("units")), Not(HasSubstr("beta"))));
+}
+
+TEST(CalibratedYaml, ReplacesTargetsAndTheSimulation) {
+  const TempFolder folder;
+  Rng rng(8);
+  const ProblemSpec spec = ReadText(folder, "problem.yaml", kTargets);
+  const RobotModel robot = Perturbed(spec.robot, &rng);
+  const std::string text = CalibratedYaml(spec, robot, "recording.csv");
+  const ProblemSpec read = ReadText(folder, "calibrated.yaml", text);
+  EXPECT_FALSE(read.simulate.has_value());
+  EXPECT_EQ(read.recording, folder / "recording.csv");
+  ASSERT_EQ(read.robot.targets.size(), 2u);
+  EXPECT_EQ(read.robot.targets[1].name, "B 2");
+  ExpectSamePose(read.robot.targets[0].X_TQ, robot.targets[0].X_TQ);
+  ExpectSamePose(read.robot.targets[1].X_TQ, robot.targets[1].X_TQ);
+  ExpectSamePose(read.robot.X_WB, robot.X_WB);  // the file had no base
+}
+
+TEST(CalibratedYaml, KeepsRotationsAtAndNearGimbalLock) {
+  const TempFolder folder;
+  const ProblemSpec spec = ReadText(folder, "problem.yaml", kProblem);
+  for (const double off : {0.0, 1e-13, 1e-10, 1e-7, 1e-4}) {
+    RobotModel robot = spec.robot;
+    robot.X_WB.linear() = RotationFromRpy({0.3, kPi / 2, -0.4}) * ExpSO3<double>({off, -off, off});
+    const std::string text = CalibratedYaml(spec, robot, "recording.csv");
+    ExpectSamePose(ReadText(folder, "calibrated.yaml", text).robot.X_WB, robot.X_WB, 1e-12);
+  }
+}
+
+TEST(CalibratedYaml, DoesNotSpreadAChangeThroughYamlAliases) {
+  const TempFolder folder;
+  const ProblemSpec spec = ReadText(folder, "problem.yaml", R"(schema: 1
+name: aliases
+robot:
+  joints:
+    - {theta_deg: 0, d_m: 0.1, a_m: 0.3, alpha_deg: 90}
+  base: &frame {xyz_m: [0, 0, 0.1]}
+  tool: *frame
+measurement: {kind: position}
+recording: day.csv
+)");
+  RobotModel robot = spec.robot;
+  robot.X_TQ.translation().z() = 0.25;
+  const std::string text = CalibratedYaml(spec, robot, "day.csv");
+  const ProblemSpec read = ReadText(folder, "calibrated.yaml", text);
+  ExpectSamePose(read.robot.X_WB, robot.X_WB);
+  ExpectSamePose(read.robot.X_TQ, robot.X_TQ);
+}
+
+TEST(CalibratedYaml, RefusesAFileThatHasChanged) {
+  const TempFolder folder;
+  const ProblemSpec spec = ReadText(folder, "problem.yaml", kProblem);
+  WriteFile(folder / "problem.yaml", kTargets);
+  EXPECT_THROW(CalibratedYaml(spec, spec.robot, "x.csv"), std::runtime_error);
+  std::filesystem::remove(folder / "problem.yaml");
+  EXPECT_THROW(CalibratedYaml(spec, spec.robot, "x.csv"), std::runtime_error);
+}
+
+TEST(CalibratedYaml, IsTheSameUnderACommaDecimalLocale) {
+  const TempFolder folder;
+  const ProblemSpec spec = ReadText(folder, "problem.yaml", kProblem);
+  const std::string expected = CalibratedYaml(spec, spec.robot, "x.csv");
+  const CommaLocale locale;
+  EXPECT_EQ(CalibratedYaml(spec, spec.robot, "x.csv"), expected);
+}
+
+}  // namespace
+}  // namespace dhcal

@@ -1,0 +1,67 @@
+#include "core/io/text_file.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/core/io/temp_file.h"
+
+namespace dhcal {
+namespace {
+
+using testing::HasSubstr;
+
+/// The only message about a file that cannot be read.
+std::string MessageAbout(const std::string& path) {
+  Diagnostics diagnostics;
+  EXPECT_EQ(ReadTextFile(path, &diagnostics), std::nullopt);
+  EXPECT_EQ(diagnostics.num_errors(), 1);
+  return diagnostics.ToString();
+}
+
+TEST(TextFile, ReturnsTheContentUnchanged) {
+  const TempFile file("a\r\nb \n");
+  Diagnostics diagnostics;
+  EXPECT_EQ(ReadTextFile(file.path(), &diagnostics), "a\r\nb \n");
+  EXPECT_TRUE(diagnostics.ok());
+}
+
+TEST(TextFile, DropsTheByteOrderMark) {
+  const TempFile file("\xEF\xBB\xBFschema: 1\n");
+  Diagnostics diagnostics;
+  EXPECT_EQ(ReadTextFile(file.path(), &diagnostics), "schema: 1\n");
+}
+
+TEST(TextFile, MissingFileIsAnError) {
+  EXPECT_THAT(MessageAbout("/nowhere/at all.yaml"),
+              HasSubstr("/nowhere/at all.yaml: error: there is no such file"));
+}
+
+TEST(TextFile, FolderIsAnError) {
+  EXPECT_THAT(MessageAbout(testing::TempDir()), HasSubstr("this is a folder"));
+}
+
+TEST(TextFile, EmptyFileIsAnError) {
+  EXPECT_THAT(MessageAbout(TempFile("").path()), HasSubstr("the file is empty"));
+}
+
+TEST(TextFile, ByteOrderMarkAloneIsAnEmptyFile) {
+  EXPECT_THAT(MessageAbout(TempFile("\xEF\xBB\xBF").path()), HasSubstr("the file is empty"));
+}
+
+TEST(TextFile, Utf16IsAnError) {
+  const TempFile file(std::string("\xFF\xFEq\0001\0", 6));
+  EXPECT_THAT(MessageAbout(file.path()), HasSubstr(":1:1: error: the file is UTF-16 text"));
+}
+
+TEST(TextFile, EndlessDeviceIsRefusedAtItsFirstNul) {
+  EXPECT_THAT(MessageAbout("/dev/zero"), HasSubstr(":1:1: error: the file holds a NUL byte"));
+}
+
+TEST(TextFile, PlaceOfInvalidUtf8CountsLinesAndCharacters) {
+  EXPECT_THAT(MessageAbout(TempFile("a\né\xFF").path()), HasSubstr(":2:2: error: the text is not"));
+}
+
+}  // namespace
+}  // namespace dhcal

@@ -1,0 +1,84 @@
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/report/sections.h"
+#include "tests/core/io/example_result.h"
+
+namespace dhcal {
+namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A result with one parameter of each kind in `parameters`.
+Result WithParameters(std::vector<ParameterResult> parameters, double rms) {
+  Result result = ExampleResult();
+  result.fits[0].parameters = std::move(parameters);
+  result.fits[0].rms = rms;
+  return result;
+}
+
+ParameterResult Identified(const std::string& name, Unit unit, double correction, double sigma) {
+  ParameterResult parameter;
+  parameter.name = name;
+  parameter.unit = unit;
+  parameter.nominal = unit == Unit::kRadian ? kPi / 2 : 0.65;
+  parameter.correction = correction;
+  parameter.value = parameter.nominal + correction;
+  parameter.sigma = sigma;
+  parameter.ci95_low = parameter.value - 2 * sigma;
+  parameter.ci95_high = parameter.value + 2 * sigma;
+  parameter.verdict = Verdict::kIdentified;
+  return parameter;
+}
+
+TEST(ParameterSection, PrintsTableThreeOfThePaperToItsDigits) {
+  const std::string text = ParameterSection(WithParameters(
+      {Identified("theta1", Unit::kRadian, 870e-6, 2e-16),
+       Identified("theta5", Unit::kRadian, -806.99e-6, 3e-13),
+       Identified("alpha5", Unit::kRadian, 463.89e-6, kNotSet),
+       Identified("a5", Unit::kMetre, 62.98e-6, 3e-13),
+       Identified("d2", Unit::kMetre, -68.81e-6, 3.1e-4)},
+      2e-16));
+  EXPECT_THAT(text, HasSubstr("[urad]"));
+  EXPECT_THAT(text, HasSubstr("[um]"));
+  EXPECT_THAT(text, ContainsRegex("theta1 +[0-9.]+ +870\\.000 +2\\.0e-10"));
+  EXPECT_THAT(text, ContainsRegex("theta5 +[0-9.]+ +-806\\.990 +3\\.0e-07"));
+  EXPECT_THAT(text, ContainsRegex("alpha5 +[0-9.]+ +463\\.890 +- "));
+  EXPECT_THAT(text, ContainsRegex("a5 +[0-9.]+ +62\\.980"));
+  EXPECT_THAT(text, ContainsRegex("d2 +[0-9.]+ +-69 +310"));
+}
+
+TEST(ParameterSection, ShowsTwoDigitsOfSigmaAndAsManyDecimalsOfTheCorrection) {
+  const std::string text = ParameterSection(
+      WithParameters({Identified("theta1", Unit::kRadian, 0.87654e-3, 0.01234e-3),
+                      Identified("a1", Unit::kMetre, 0.98765e-3, 0.1234e-3)},
+                     2e-5));
+  EXPECT_THAT(text, ContainsRegex("theta1 +90\\.00000 +0\\.877 +0\\.012 +0\\.852 +0\\.901 "
+                                  "+90\\.05022 +identified"));
+  EXPECT_THAT(text, ContainsRegex("a1 +650\\.00 +0\\.99 +0\\.12 +0\\.74 +1\\.23 +650\\.99"));
+}
+
+TEST(ParameterSection, NamesFixedParametersInOneSentence) {
+  ParameterResult fixed;
+  fixed.verdict = Verdict::kFixed;
+  std::vector<ParameterResult> parameters = {Identified("a1", Unit::kMetre, 1e-4, 1e-5)};
+  for (int i = 0; i < 100; ++i) {
+    fixed.name = "fixed" + std::to_string(i);
+    parameters.push_back(fixed);
+  }
+  const std::string text = ParameterSection(WithParameters(parameters, 2e-5));
+  EXPECT_THAT(text, HasSubstr("Held at their nominal values: fixed0, fixed1,"));
+  EXPECT_THAT(text, HasSubstr("60 more in result.json"));
+  EXPECT_THAT(text, Not(HasSubstr("fixed99")));
+}
+
+TEST(ParameterSection, IsEmptyWithoutAUsableFit) {
+  EXPECT_EQ(ParameterSection(DivergedResult()), "");
+}
+
+}  // namespace
+}  // namespace dhcal

@@ -1,0 +1,51 @@
+#include "tests/support/problem_cases.h"
+
+#include <cstdlib>
+
+#include <glog/logging.h>
+
+#include "core/io/problem_reader.h"
+#include "core/io/recording_reader.h"
+#include "problems/identify.h"
+#include "problems/simulate.h"
+#include "tests/support/files.h"
+
+namespace dhcal {
+
+std::string SourcePath(const std::string& relative) {
+  return std::string(DHCAL_SOURCE_DIR) + "/" + relative;
+}
+
+std::string DataDir() {
+  const char* const folder = std::getenv("DHCAL_DATA");
+  return folder == nullptr ? "" : folder;
+}
+
+ProblemSpec LoadCase(const std::string& name) {
+  Diagnostics diagnostics;
+  const auto spec =
+      ReadProblemFile(SourcePath("problems/" + name + ".yaml"), DataDir(), &diagnostics);
+  CHECK(spec.has_value()) << diagnostics.ToString();
+  return *spec;
+}
+
+Recording RecordingOf(const ProblemSpec& spec) {
+  Diagnostics diagnostics;
+  const auto recording = spec.simulate
+                             ? SimulateRecording(spec, &diagnostics)
+                             : ReadRecording(spec.recording, spec.robot.joints, &diagnostics);
+  CHECK(recording.has_value()) << diagnostics.ToString();
+  return *recording;
+}
+
+Result RunCase(const ProblemSpec& spec) {
+  return IdentifyGeometry(spec, RecordingOf(spec), Progress());
+}
+
+std::map<std::string, ParameterResult> ByName(const FitResult& fit) {
+  std::map<std::string, ParameterResult> by_name;
+  for (const ParameterResult& parameter : fit.parameters) by_name[parameter.name] = parameter;
+  return by_name;
+}
+
+}  // namespace dhcal

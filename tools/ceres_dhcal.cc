@@ -1,0 +1,31 @@
+// ceres_dhcal: identifies the real geometry of serial robots from recordings.
+
+#include <exception>
+#include <iostream>
+
+#include <glog/logging.h>
+
+#include "tools/support/batch.h"
+#include "tools/support/command_line.h"
+
+int main(int argc, char** argv) {
+  google::InitGoogleLogging(argv[0]);
+  // What the libraries log is for their developers; what users must know is in reports and errors.
+  FLAGS_logtostderr = true;
+  FLAGS_minloglevel = google::GLOG_FATAL;
+  dhcal::CommandLine command_line;
+  switch (dhcal::ParseCommandLine(argc, argv, &command_line)) {
+    case dhcal::CommandLineStatus::kDone:
+      return dhcal::kExitOk;
+    case dhcal::CommandLineStatus::kError:
+      return dhcal::kExitBadInput;
+    case dhcal::CommandLineStatus::kRun:
+      break;
+  }
+  try {
+    return dhcal::RunBatch(command_line);
+  } catch (const std::exception& error) {
+    std::cerr << "ceres_dhcal: internal error: " << error.what() << "\n";
+    return dhcal::kExitNoUsableResult;
+  }
+}

@@ -1,0 +1,60 @@
+# The compiler: standard, optimisation, warnings, sanitizers, and what makes the build quick.
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+# No -march: a binary must run on other machines than its builder's. No -ffast-math: NaN means
+# "not set" here. errno of the math functions is never read. Assertions stay on outside Release.
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g")
+add_compile_options(-fno-math-errno)
+
+add_library(dhcal_warnings INTERFACE)
+target_compile_options(
+  dhcal_warnings
+  INTERFACE -Wall
+            -Wextra
+            -Wpedantic
+            -Wshadow
+            -Wconversion
+            -Wno-sign-conversion
+            $<$<BOOL:${DHCAL_WERROR}>:-Werror>)
+
+if(DHCAL_SANITIZE)
+  add_compile_options(
+    -fsanitize=${DHCAL_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${DHCAL_SANITIZE})
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+endif()
+
+if(DHCAL_COVERAGE)
+  add_compile_options(--coverage)
+  add_link_options(--coverage)
+endif()
+
+# lld links several times faster than the default linker.
+find_program(DHCAL_LLD ld.lld)
+if(DHCAL_LLD)
+  add_link_options(-fuse-ld=lld)
+endif()
+
+# ccache, told to see two clones of this repository as the same code: paths below the clone are
+# hashed relative to it. The last sloppiness items are what precompiled headers need.
+find_program(DHCAL_CCACHE ccache)
+if(DHCAL_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+      "${CMAKE_COMMAND}"
+      -E
+      env
+      "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}"
+      CCACHE_NOHASHDIR=1
+      CCACHE_SLOPPINESS=pch_defines,time_macros
+      "${DHCAL_CCACHE}")
+endif()

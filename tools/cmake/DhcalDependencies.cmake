@@ -1,0 +1,32 @@
+# The libraries, all from the distribution (tools/packages.txt; licences: third_party_notes).
+# Imported targets' headers are system headers to the compiler: no warnings from them.
+
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Ceres 2.1 REQUIRED)
+find_package(gflags REQUIRED)
+find_package(glog REQUIRED)
+find_package(yaml-cpp 0.7 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(fmt 9 REQUIRED)
+find_package(Boost 1.74 REQUIRED) # headers only: Boost.Math
+
+# yaml-cpp has its namespaced target only since 0.8.
+if(NOT TARGET yaml-cpp::yaml-cpp)
+  add_library(yaml-cpp::yaml-cpp ALIAS yaml-cpp)
+endif()
+
+set(DHCAL_DEPENDENCIES
+    Ceres::ceres
+    Eigen3::Eigen
+    glog::glog
+    yaml-cpp::yaml-cpp
+    nlohmann_json::nlohmann_json
+    fmt::fmt
+    Boost::headers
+    Threads::Threads)
+
+if(DHCAL_BUILD_TESTS)
+  find_package(GTest REQUIRED) # with GMock
+  find_package(Python3 REQUIRED COMPONENTS Interpreter) # for the layer check
+endif()

@@ -1,0 +1,31 @@
+# The functions that make the libraries and the programs.
+
+# dhcal_library(<target> FOLDER <folder> DEPENDS <target>...)
+#
+# A static library of all *.cc below <folder>. A folder that holds only headers, or nothing yet,
+# gives a library of one generated empty source, so that the others can link it all the same.
+function(dhcal_library target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "FOLDER" "DEPENDS")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${arg_FOLDER}/*.cc")
+  if(NOT sources)
+    set(sources "${PROJECT_BINARY_DIR}/generated/${target}_empty.cc")
+    file(WRITE "${sources}.in" "// ${arg_FOLDER}/ holds no .cc file.\n")
+    configure_file("${sources}.in" "${sources}" COPYONLY)
+  endif()
+  add_library(${target} STATIC ${sources})
+  target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(
+    ${target}
+    PUBLIC ${arg_DEPENDS}
+    PRIVATE dhcal_warnings)
+endfunction()
+
+# One program per tools/<name>.cc.
+function(dhcal_programs)
+  file(GLOB mains CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tools/*.cc")
+  foreach(main IN LISTS mains)
+    cmake_path(GET main STEM name)
+    add_executable(${name} "${main}")
+    target_link_libraries(${name} PRIVATE dhcal_tools_support dhcal_warnings)
+  endforeach()
+endfunction()

@@ -1,0 +1,42 @@
+# The tests: one GoogleTest program per layer, each of its tests one CTest test <layer>/<name>.
+#
+# A test whose suite or name contains "Slow" gets the CTest label "slow": the test presets leave it
+# out, `tools/test.sh --slow` and `ctest -L slow` run it.
+
+include(GoogleTest)
+
+dhcal_library(dhcal_test_support FOLDER tests/support DEPENDS dhcal_tools_support GTest::gmock
+              GTest::gtest)
+
+# dhcal_discover(<target> <prefix> <gtest filter> [<property> <value>]...)
+function(dhcal_discover target prefix filter)
+  gtest_discover_tests(
+    ${target}
+    TEST_PREFIX "${prefix}/"
+    TEST_FILTER "${filter}"
+    WORKING_DIRECTORY "${PROJECT_BINARY_DIR}/tests"
+    DISCOVERY_TIMEOUT 300
+    PROPERTIES ${ARGN})
+endfunction()
+
+# dhcal_tests(<layer>)
+function(dhcal_tests layer)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${layer}/*_test.cc")
+  if(NOT sources)
+    return()
+  endif()
+  set(target ${layer}_tests)
+  add_executable(${target} ${sources})
+  set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")
+  target_link_libraries(${target} PRIVATE dhcal_test_support GTest::gmock_main dhcal_warnings)
+  target_compile_definitions(
+    ${target}
+    PRIVATE DHCAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+            DHCAL_PROGRAM="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/ceres_dhcal")
+  dhcal_discover(${target} ${layer} "-*Slow*" TIMEOUT 300)
+  dhcal_discover(${target} ${layer} "*Slow*" TIMEOUT 3600 LABELS slow)
+endfunction()
+
+foreach(layer IN ITEMS core residuals problems tools)
+  dhcal_tests(${layer})
+endforeach()

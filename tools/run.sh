@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds the release program and runs the KUKA KR 15/2 case with it.
+set -euo pipefail
+
+usage() {
+  cat <<'TEXT'
+usage: tools/run.sh [ceres_dhcal arguments]
+
+Installs what is missing, builds ceres_dhcal and runs
+  ceres_dhcal --problem problems/kr15.yaml [ceres_dhcal arguments]
+in the current directory. Another case: tools/run.sh --problem my_robot.yaml
+TEXT
+}
+
+if [ "${1:-}" = --help ] || [ "${1:-}" = -h ]; then
+  usage
+  exit 0
+fi
+
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+program="$root/build/release/bin/ceres_dhcal"
+
+bash "$root/tools/setup.sh"
+echo "run: building $program"
+log="$(mktemp)"
+trap 'rm -f "$log"' EXIT
+if ! (cd "$root" && cmake --preset release) >"$log" 2>&1 ||
+  ! cmake --build "$root/build/release" --target ceres_dhcal -j "$(nproc)"; then
+  # What configuring said is of interest only when something went wrong.
+  cat "$log" >&2
+  echo "The program could not be built; the lines above say why." >&2
+  exit 1
+fi
+
+status=0
+"$program" --problem "$root/problems/kr15.yaml" "$@" || status=$?
+if [ "$status" -eq 0 ]; then
+  echo "Done: ceres_dhcal ran to its end; the lines above say what it found and where its report is."
+else
+  echo "ceres_dhcal ended with exit status $status; the lines above say why." >&2
+fi
+exit "$status"

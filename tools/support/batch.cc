@@ -1,0 +1,159 @@
+#include "tools/support/batch.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/io/problem_checks.h"
+#include "core/io/problem_reader.h"
+#include "core/io/recording_reader.h"
+#include "core/io/result_writer.h"
+#include "core/io/solver_reader.h"
+#include "core/report/text_report.h"
+#include "problems/identify.h"
+#include "problems/simulate.h"
+#include "tools/support/progress_printer.h"
+
+namespace dhcal {
+namespace {
+
+/// A problem that is ready to be solved.
+struct Job {
+  ProblemSpec spec;
+  Recording recording;
+  std::string directory;
+};
+
+void ApplyOverrides(const CommandLine& command_line, ProblemSpec* spec, Diagnostics* diagnostics) {
+  if (!command_line.method.empty() && !ParseSolverMethod(command_line.method, &spec->solver)) {
+    diagnostics->Error({}, "--method " + command_line.method +
+                               ": expected svd_gauss_newton, levenberg_marquardt or both");
+  }
+  const std::string& tolerance = command_line.singular_value_tolerance;
+  if (!tolerance.empty() && !ParseTruncation(tolerance, &spec->solver)) {
+    diagnostics->Error({}, "--singular_value_tolerance " + tolerance +
+                               ": expected noise, paper or a number above 0 and below 1");
+  }
+}
+
+std::string DirectoryOf(const CommandLine& command_line, const ProblemSpec& spec) {
+  const std::string own = spec.name + "_result";
+  if (command_line.out.empty()) return own;
+  if (command_line.problems.size() == 1) return command_line.out;
+  return (std::filesystem::path(command_line.out) / own).string();
+}
+
+std::optional<Job> Prepare(const CommandLine& command_line,
+                           const std::string& file,
+                           Diagnostics* diagnostics) {
+  std::optional<ProblemSpec> spec = ReadProblemFile(file, command_line.data_dir, diagnostics);
+  if (!spec) return std::nullopt;
+  ApplyOverrides(command_line, &*spec, diagnostics);
+  std::optional<Recording> recording =
+      spec->simulate ? SimulateRecording(*spec, diagnostics)
+                     : ReadRecording(spec->recording, spec->robot.joints, diagnostics);
+  if (!recording) return std::nullopt;
+  CheckRecordingFits(*spec, *recording, diagnostics);
+  if (!diagnostics->ok()) return std::nullopt;
+  CheckEnoughReadings(*spec, *recording, diagnostics);
+  Job job{std::move(*spec), std::move(*recording), ""};
+  job.directory = DirectoryOf(command_line, job.spec);
+  CheckResultDirectory(job.directory, diagnostics);
+  return job;
+}
+
+/// Two problems must not write into one folder.
+void CheckDirectoriesDiffer(const std::vector<Job>& jobs, Diagnostics* diagnostics) {
+  std::map<std::string, std::string> owner;
+  for (const Job& job : jobs) {
+    const auto [entry, is_new] = owner.try_emplace(job.directory, job.spec.file);
+    if (is_new) continue;
+    diagnostics->Error({job.spec.file, 0, 0}, "would write into " + job.directory + " as " +
+                                                  entry->second +
+                                                  " does; give the problems different names");
+  }
+}
+
+/// What is left of a job that is done.
+struct Outcome {
+  std::string problem;
+  std::string status;
+  Result result;
+  int exit_status = kExitOk;
+};
+
+Outcome RunJob(const Job& job, bool quiet) {
+  ProgressPrinter printer;
+  Progress progress;
+  if (!quiet) progress = [&printer](const std::string& text) { printer(text); };
+  Outcome outcome;
+  outcome.problem = job.spec.name;
+  outcome.result = IdentifyGeometry(job.spec, job.recording, progress);
+  const std::string report = TextReport(job.spec, outcome.result);
+  if (!quiet) std::cout << report << std::flush;
+
+  Diagnostics diagnostics;
+  if (!WriteResult(job.spec, job.recording, outcome.result, report, job.directory, &diagnostics)) {
+    std::cerr << diagnostics.ToString();
+    outcome.exit_status = kExitBadInput;
+    outcome.status = "not written";
+    return outcome;
+  }
+  if (!quiet) std::cout << "Results are in " << job.directory << "/\n" << std::flush;
+  const bool usable = outcome.result.best() != nullptr;
+  outcome.exit_status = usable ? kExitOk : kExitNoUsableResult;
+  outcome.status = usable ? "ok" : ToString(outcome.result.fits.front().termination);
+  // The table needs no rows, and many recordings' rows would not fit in memory together.
+  outcome.result.residuals.clear();
+  return outcome;
+}
+
+}  // namespace
+
+int RunBatch(const CommandLine& command_line) {
+  Diagnostics diagnostics;
+  std::vector<Job> jobs;
+  for (const std::string& file : command_line.problems) {
+    // Each file's errors are found whatever the others hold.
+    Diagnostics of_file;
+    std::optional<Job> job = Prepare(command_line, file, &of_file);
+    for (const Diagnostic& d : of_file.all()) {
+      if (d.severity == Severity::kError) {
+        diagnostics.Error(d.where, d.message);
+      } else if (!command_line.quiet) {
+        diagnostics.Warning(d.where, d.message);
+      }
+    }
+    if (job && of_file.ok()) jobs.push_back(std::move(*job));
+  }
+  CheckDirectoriesDiffer(jobs, &diagnostics);
+  std::cerr << diagnostics.ToString();
+  if (!diagnostics.ok()) {
+    std::cerr << "ceres_dhcal: " << diagnostics.num_errors()
+              << (diagnostics.num_errors() == 1 ? " error" : " errors")
+              << " in the input; nothing was computed or written.\n";
+    return kExitBadInput;
+  }
+
+  int exit_status = kExitOk;
+  std::vector<Outcome> outcomes;
+  for (const Job& job : jobs) {
+    outcomes.push_back(RunJob(job, command_line.quiet));
+    exit_status = std::max(exit_status, outcomes.back().exit_status);
+  }
+  if (jobs.size() > 1 && !command_line.quiet) {
+    std::vector<SummaryRow> rows;
+    for (const Outcome& outcome : outcomes) {
+      rows.push_back({outcome.problem, outcome.status, &outcome.result});
+    }
+    std::cout << SummaryTable(rows);
+  }
+  return exit_status;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,136 @@
+#include "tools/support/command_line.h"
+
+#include <cstdlib>
+#include <iostream>
+#include <set>
+#include <sstream>
+
+#include <gflags/gflags.h>
+
+DEFINE_string(out, "", "result folder, default <problem name>_result");
+DEFINE_string(data_dir, "", "what ${DHCAL_DATA} in a problem file stands for");
+DEFINE_string(method, "", "overrides solver.method of the file");
+DEFINE_string(singular_value_tolerance, "", "overrides solver.singular_value_tolerance");
+DEFINE_bool(quiet, false, "print nothing but errors");
+
+namespace dhcal {
+namespace {
+
+constexpr char kHelp[] = R"(ceres_dhcal: finds the real Denavit-Hartenberg parameters of a serial robot.
+
+  ceres_dhcal --problem FILE.yaml [--problem ...] [options]
+
+  --problem FILE    problem file; repeat the flag for several, which gives a summary table
+  --out DIR         result folder (default <problem name>_result); with several problems the
+                    folder that holds theirs
+  --data_dir DIR    what ${DHCAL_DATA} in a problem file stands for (default: the environment
+                    variable DHCAL_DATA)
+  --method M        svd_gauss_newton | levenberg_marquardt | both, instead of the file's
+  --singular_value_tolerance T
+                    noise | paper | a number, instead of the file's
+  --quiet           print nothing but errors
+  --version, --help
+
+Example:  ceres_dhcal --problem problems/kr15.yaml
+
+Exit status: 0 a usable result, 1 no usable result (the report says why), 2 bad input.
+)";
+
+void AddProblems(const std::string& list, std::vector<std::string>* problems) {
+  std::stringstream stream(list);
+  for (std::string item; std::getline(stream, item, ',');) {
+    if (!item.empty()) problems->push_back(item);
+  }
+}
+
+/// "--name=value" or "--name value"; a switch needs no value. Advances *k over what it takes.
+class Argument {
+ public:
+  Argument(int argc, char** argv, int* k) : argc_(argc), argv_(argv), k_(k) {
+    const std::string text = argv[*k];
+    is_flag_ = text.size() > 1 && text[0] == '-';
+    if (!is_flag_) return;
+    const std::size_t start = text.find_first_not_of('-');
+    if (start == std::string::npos) return;
+    const std::size_t equals = text.find('=');
+    name_ = text.substr(start, equals == std::string::npos ? equals : equals - start);
+    if (equals != std::string::npos) value_ = text.substr(equals + 1);
+  }
+
+  bool is_flag() const { return is_flag_; }
+  const std::string& name() const { return name_; }
+  /// The value, taking the next argument when there is none yet; nothing at the end of the line.
+  std::optional<std::string> Value() {
+    if (!value_ && *k_ + 1 < argc_) value_ = argv_[++*k_];
+    return value_;
+  }
+  const std::optional<std::string>& own_value() const { return value_; }
+
+ private:
+  int argc_;
+  char** argv_;
+  int* k_;
+  bool is_flag_ = false;
+  std::string name_;
+  std::optional<std::string> value_;
+};
+
+/// Sets one of our flags; an error text when that cannot be done.
+std::string SetFlag(Argument* argument) {
+  static const std::set<std::string> kTexts = {
+      "out", "data_dir", "method", "singular_value_tolerance"};
+  const std::string& name = argument->name();
+  if (name == "quiet" || name == "noquiet") {
+    const std::string value = argument->own_value().value_or(name == "quiet" ? "true" : "false");
+    if (gflags::SetCommandLineOption("quiet", value.c_str()).empty()) {
+      return "'--" + name + "=" + value + "' is not true or false";
+    }
+    return "";
+  }
+  if (kTexts.count(name) == 0) return "unknown flag '--" + name + "'";
+  const std::optional<std::string> value = argument->Value();
+  if (!value || value->empty()) return "flag '--" + name + "' needs a value";
+  gflags::SetCommandLineOption(name.c_str(), value->c_str());
+  return "";
+}
+
+CommandLineStatus Refuse(const std::string& why) {
+  std::cerr << "ceres_dhcal: error: " << why << "; see ceres_dhcal --help\n";
+  return CommandLineStatus::kError;
+}
+
+}  // namespace
+
+CommandLineStatus ParseCommandLine(int argc, char** argv, CommandLine* command_line) {
+  for (int k = 1; k < argc; ++k) {
+    Argument argument(argc, argv, &k);
+    if (!argument.is_flag()) {
+      AddProblems(argv[k], &command_line->problems);
+    } else if (argument.name() == "help" || argument.name() == "h") {
+      std::cout << kHelp;
+      return CommandLineStatus::kDone;
+    } else if (argument.name() == "version") {
+      std::cout << "ceres_dhcal " << DHCAL_VERSION << "\n";
+      return CommandLineStatus::kDone;
+    } else if (argument.name() == "problem") {
+      const std::optional<std::string> value = argument.Value();
+      if (!value || value->empty()) return Refuse("flag '--problem' needs a file");
+      AddProblems(*value, &command_line->problems);
+    } else if (const std::string error = SetFlag(&argument); !error.empty()) {
+      return Refuse(error);
+    }
+  }
+  if (command_line->problems.empty()) return Refuse("no problem given; say --problem FILE.yaml");
+  command_line->out = FLAGS_out;
+  command_line->data_dir = FLAGS_data_dir;
+  if (command_line->data_dir.empty()) {
+    const char* const from_environment = std::getenv("DHCAL_DATA");
+    if (from_environment != nullptr) command_line->data_dir = from_environment;
+  }
+  command_line->method = FLAGS_method;
+  command_line->singular_value_tolerance = FLAGS_singular_value_tolerance;
+  command_line->quiet = FLAGS_quiet;
+  return CommandLineStatus::kRun;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,32 @@
+// The command line of ceres_dhcal.
+#ifndef DHCAL_TOOLS_SUPPORT_COMMAND_LINE_H_
+#define DHCAL_TOOLS_SUPPORT_COMMAND_LINE_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dhcal {
+
+struct CommandLine {
+  std::vector<std::string> problems;  // in the order given
+  std::string out;                    // folder, or the parent of folders for several problems
+  std::string data_dir;               // flag, else environment variable DHCAL_DATA, else empty
+  std::string method;                 // overrides the file when not empty
+  std::string singular_value_tolerance;
+  bool quiet = false;
+};
+
+enum class CommandLineStatus {
+  kRun,    // go on
+  kDone,   // --help or --version was answered
+  kError,  // told on stderr
+};
+
+/// Parses and removes flags. `--problem` may be given several times or as a comma-separated list;
+/// plain arguments are problems too.
+CommandLineStatus ParseCommandLine(int argc, char** argv, CommandLine* command_line);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_TOOLS_SUPPORT_COMMAND_LINE_H_
