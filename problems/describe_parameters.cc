@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -19,20 +21,24 @@ std::string Length(double value, Unit unit) {
                               : fmt::format("{:.2g} mrad", value / kMilliradian);
 }
 
-/// Names that share an undetermined direction with `name`, and the first such sentence.
+bool Holds(const NullDirection& n, const std::string& name) {
+  return std::any_of(n.direction.begin(), n.direction.end(),
+                     [&](const auto& entry) { return entry.name == name; });
+}
+
+/// The first sentence on an undetermined direction that holds the parameter, and the names of all
+/// others that its directions, or directions of the same sentence, hold.
 void Confounded(const std::vector<NullDirection>& null_space, ParameterResult* result) {
   for (const NullDirection& n : null_space) {
-    const auto is_here = [&](const auto& entry) { return entry.name == result->name; };
-    if (std::none_of(n.direction.begin(), n.direction.end(), is_here)) continue;
-    if (result->explanation.empty()) result->explanation = n.explanation;
-    for (const auto& entry : n.direction) {
-      auto& others = result->confounded_with;
-      if (entry.name == result->name) continue;
-      if (std::find(others.begin(), others.end(), entry.name) == others.end()) {
-        others.push_back(entry.name);
-      }
-    }
+    if (result->explanation.empty() && Holds(n, result->name)) result->explanation = n.explanation;
   }
+  std::set<std::string> others;
+  for (const NullDirection& n : null_space) {
+    if (!Holds(n, result->name) && n.explanation != result->explanation) continue;
+    for (const auto& entry : n.direction) others.insert(entry.name);
+  }
+  others.erase(result->name);
+  result->confounded_with.assign(others.begin(), others.end());
 }
 
 void Explain(const Determination& d,

@@ -52,15 +52,28 @@ Fit RunFit(const Calibration& calibration,
   fit.method = method;
   fit.noise = initial_noise;
   double seconds = 0;
+  const bool robust = calibration.spec.solver.loss != LossKind::kNone;
+  Eigen::VectorXd start =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(calibration.parameters.size()));
   for (int round = 0; round < kMostNoiseRounds; ++round) {
-    const auto factory = [&] { return BuildProblem(calibration, fit.noise); };
+    // A robust loss gives readings that are far off no weight, and at the start all of them are:
+    // the first round is plain least squares, and the next start from there.
+    const bool with_loss = robust && round > 0;
+    const auto factory = [&] {
+      auto problem = BuildProblem(calibration, fit.noise, with_loss);
+      problem->set_state(start);
+      return problem;
+    };
     fit.summary = MakeSolver(method)->Solve(with_progress, factory);
     seconds += fit.summary.seconds;
     fit.summary.seconds = seconds;
     if (!fit.summary.IsSolutionUsable()) break;
     const int rank = fit.summary.trace.empty() ? 0 : fit.summary.trace.back().rank;
     fit.noise_seen = NoiseFromResiduals(calibration, fit.noise, fit.summary.state, rank);
-    if (!DependsOnNoise(calibration, options) || Agree(fit.noise_seen, fit.noise)) break;
+    const bool settled =
+        !DependsOnNoise(calibration, options) || Agree(fit.noise_seen, fit.noise);
+    if (settled && with_loss == robust) break;
+    if (robust) start = fit.summary.state;
     if (round + 1 < kMostNoiseRounds) fit.noise = fit.noise_seen;
   }
   return fit;

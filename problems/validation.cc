@@ -85,13 +85,14 @@ ValidationResult Validate(const Calibration& c,
     result.max_point_test = unseen.max_point;
     return result;
   }
-  // With few readings the folds determine less than the whole; with mixed units one number in
-  // metres would not describe them.
+  // With few readings the folds determine less than the whole; with mixed units, rows of different
+  // weight or whitened contrasts one number in metres would not describe them.
   const int coordinates = NumCoordinates(c.spec.measurement.kind);
   const auto num_readings = static_cast<int>(c.readings.fitted.size());
   const int enough = 2 * static_cast<int>(c.parameters.size());
   if (num_readings * coordinates * (kFolds - 1) / kFolds < enough ||
-      c.spec.measurement.kind == MeasurementKind::kPose || c.recording.sigma.size() > 0) {
+      c.spec.measurement.kind == MeasurementKind::kPose || c.recording.sigma.size() > 0 ||
+      c.spec.measurement.noise == NoiseKind::kSharedPose) {
     return result;
   }
   const auto problem = BuildProblem(c, analysis.noise, /*with_loss=*/false);

@@ -1,0 +1,82 @@
+#include "core/math/statistics.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/base/rng.h"
+
+namespace dhcal {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Table values: NIST/SEMATECH e-Handbook of Statistical Methods, 1.3.6.7, with more digits from the
+// closed forms where there are any.
+
+TEST(StudentTwoSided, WithOneDegreeOfFreedomIsCauchys) {
+  EXPECT_NEAR(StudentTwoSided(0.95, 1), std::tan(0.475 * M_PI), 1e-11);  // 12.706
+}
+
+TEST(StudentTwoSided, WithTwoDegreesOfFreedomHasAClosedForm) {
+  // P(|t| <= x) = x / sqrt(2 + x^2).
+  EXPECT_NEAR(StudentTwoSided(0.95, 2), 0.95 * std::sqrt(2.0 / (1 - 0.95 * 0.95)), 1e-12);
+}
+
+TEST(StudentTwoSided, AgreesWithTheTable) {
+  EXPECT_NEAR(StudentTwoSided(0.95, 10), 2.228, 5e-4);
+  EXPECT_NEAR(StudentTwoSided(0.99, 30), 2.750, 5e-4);
+  EXPECT_NEAR(StudentTwoSided(0.90, 5), 2.015, 5e-4);
+}
+
+TEST(StudentTwoSided, WithInfiniteFreedomIsTheNormals) {
+  EXPECT_NEAR(StudentTwoSided(0.95, kInfinity), 1.959963984540054, 1e-14);
+  EXPECT_NEAR(StudentTwoSided(std::erf(1 / std::sqrt(2.0)), kInfinity), 1.0, 1e-14);
+  EXPECT_NEAR(StudentTwoSided(0.95, 1e7), StudentTwoSided(0.95, kInfinity), 1e-6);
+}
+
+TEST(ChiSquareTail, WithTwoDegreesOfFreedomIsAnExponential) {
+  for (const double x : {0.0, 0.5, 4.0, 60.0, 600.0}) {
+    EXPECT_NEAR(ChiSquareTail(x, 2) / std::exp(-x / 2), 1.0, 1e-12) << x;
+  }
+}
+
+TEST(ChiSquareTail, WithOneDegreeOfFreedomIsTheNormalsTwoTails) {
+  for (const double z : {0.1, 1.0, 1.959963984540054, 8.0}) {
+    EXPECT_NEAR(ChiSquareTail(z * z, 1) / std::erfc(z / std::sqrt(2.0)), 1.0, 1e-12) << z;
+  }
+}
+
+TEST(ChiSquareTail, AgreesWithTheTable) {
+  EXPECT_NEAR(ChiSquareTail(18.307, 10), 0.05, 5e-6);
+  EXPECT_NEAR(ChiSquareTail(124.342, 100), 0.05, 5e-6);
+}
+
+TEST(Median, IsTheMiddleOrBetweenTheMiddleTwo) {
+  EXPECT_EQ(Median({3}), 3);
+  EXPECT_EQ(Median({5, 1, 3}), 3);
+  EXPECT_EQ(Median({10, 1, 2, 4}), 3);
+  EXPECT_EQ(Median({-1, -1, -1, 7}), -1);
+}
+
+TEST(Median, OfNothingIsNotANumber) { EXPECT_TRUE(std::isnan(Median({}))); }
+
+TEST(RobustScale, IsTheMedianAbsoluteValueScaledToANormal) {
+  EXPECT_DOUBLE_EQ(RobustScale({-1, 2, -3}), 1.4826 * 2);
+  EXPECT_TRUE(std::isnan(RobustScale({})));
+}
+
+TEST(RobustScale, FindsSigmaInSpiteOfOutliers) {
+  Rng rng(1);
+  std::vector<double> values;
+  for (int i = 0; i < 20000; ++i) values.push_back(0.02 * rng.Normal());
+  // The median absolute value of N normals scatters by 1.17 / sqrt(N) = 0.8 %.
+  EXPECT_NEAR(RobustScale(values), 0.02, 0.02 * 0.03);
+  for (std::size_t i = 0; i < 200; ++i) values[i] = 1e6;
+  EXPECT_NEAR(RobustScale(values), 0.02, 0.02 * 0.05);
+}
+
+}  // namespace
+}  // namespace dhcal

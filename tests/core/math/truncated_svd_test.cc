@@ -1,0 +1,125 @@
+#include "core/math/truncated_svd.h"
+
+#include <limits>
+
+#include <Eigen/QR>
+#include <gtest/gtest.h>
+
+#include "core/base/rng.h"
+#include "tests/support/matchers.h"
+
+namespace dhcal {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kRounding = 1e-14;  // a few roundings of numbers of size one
+
+MatrixXd RandomMatrix(int rows, int cols, Rng* rng) {
+  MatrixXd A(rows, cols);
+  for (double& value : A.reshaped()) value = rng->Normal();
+  return A;
+}
+
+VectorXd RandomVector(int size, Rng* rng) { return RandomMatrix(size, 1, rng); }
+
+/// Columns 0 and 1 equal, column 2 apart: the sum of x0 and x1 is all that can be known.
+MatrixXd TwoEqualColumns() {
+  MatrixXd J(3, 3);
+  J << 1, 1, 0, 2, 2, 0, 0, 0, 3;
+  return J;
+}
+
+TEST(TruncatedSvd, ReproducesTheScaledMatrix) {
+  Rng rng(1);
+  const MatrixXd J = RandomMatrix(6, 4, &rng);
+  const Eigen::Vector4d scale(1, 0.1, 3, 0.02);
+  const TruncatedSvd svd = DecomposeScaled(J, scale);
+  EXPECT_THAT(svd.U * svd.s.asDiagonal() * svd.V.transpose(),
+              MatrixNear(J * scale.asDiagonal(), kRounding));
+  EXPECT_EQ(svd.rank, 4);
+  for (int i = 0; i + 1 < 4; ++i) EXPECT_GE(svd.s[i], svd.s[i + 1]);
+}
+
+TEST(TruncatedSvd, SolvesFullRankProblemsWhateverTheScale) {
+  Rng rng(2);
+  const MatrixXd J = RandomMatrix(9, 4, &rng);
+  const VectorXd b = RandomVector(9, &rng);
+  const VectorXd expected = J.householderQr().solve(b);
+  for (const Eigen::Vector4d& scale : {Eigen::Vector4d(1, 1, 1, 1), Eigen::Vector4d(1e-3, 5, 0.2, 1)}) {
+    const TruncatedSvd svd = DecomposeScaled(J, scale);
+    EXPECT_THAT(svd.Solve(b), MatrixNear(expected, 1e-12));  // condition of J diag(scale): 1e4
+    EXPECT_NEAR(svd.ResidualNorm(b), (J * expected - b).norm(), kRounding);
+  }
+}
+
+TEST(TruncatedSvd, SharesWhatCannotBeToldApartEqually) {
+  TruncatedSvd svd = DecomposeScaled(TwoEqualColumns(), VectorXd::Ones(3));
+  SetCut(1e-12, &svd);
+  EXPECT_EQ(svd.rank, 2);
+  // x0 + x1 = 4 and 3 x2 = 6 reproduce b; the shortest x halves the sum.
+  EXPECT_THAT(svd.Solve(Eigen::Vector3d(4, 8, 6)), MatrixNear(Eigen::Vector3d(2, 2, 2), kRounding));
+}
+
+TEST(TruncatedSvd, SharesByTheSquaresOfTheScales) {
+  // Shortest in x / scale: x0 : x1 = scale0^2 : scale1^2 = 9 : 1.
+  TruncatedSvd svd = DecomposeScaled(TwoEqualColumns(), Eigen::Vector3d(3, 1, 1));
+  SetCut(1e-12, &svd);
+  EXPECT_THAT(svd.Solve(Eigen::Vector3d(4, 8, 6)),
+              MatrixNear(Eigen::Vector3d(3.6, 0.4, 2), kRounding));
+}
+
+TEST(TruncatedSvd, CountsASingularValueAtTheCutAsZero) {
+  TruncatedSvd svd = DecomposeScaled(Eigen::Vector3d(4, 2, 1).asDiagonal(), VectorXd::Ones(3));
+  SetCut(2.0, &svd);
+  EXPECT_EQ(svd.rank, 1);
+  SetCut(std::nextafter(2.0, 0.0), &svd);
+  EXPECT_EQ(svd.rank, 2);
+  SetCut(0.0, &svd);
+  EXPECT_EQ(svd.rank, 3);
+}
+
+TEST(TruncatedSvd, WithNothingKeptTakesNoStep) {
+  TruncatedSvd svd = DecomposeScaled(TwoEqualColumns(), VectorXd::Ones(3));
+  SetCut(std::numeric_limits<double>::infinity(), &svd);
+  EXPECT_EQ(svd.rank, 0);
+  const Eigen::Vector3d b(1, 2, 2);
+  EXPECT_EQ(svd.Solve(b), Eigen::Vector3d::Zero());
+  EXPECT_DOUBLE_EQ(svd.ResidualNorm(b), 3.0);
+}
+
+TEST(TruncatedSvd, SplitsTheColumnsIntoSeenAndUnseenDirections) {
+  TruncatedSvd svd = DecomposeScaled(TwoEqualColumns(), Eigen::Vector3d(3, 1, 1));
+  SetCut(1e-12, &svd);
+  const MatrixXd dropped = svd.dropped();
+  ASSERT_EQ(dropped.cols(), 1);
+  EXPECT_THAT(TwoEqualColumns() * svd.scale.asDiagonal() * dropped,
+              MatrixNear(VectorXd::Zero(3), kRounding));
+  EXPECT_THAT(svd.kept().transpose() * dropped, MatrixNear(VectorXd::Zero(2), kRounding));
+  EXPECT_THAT(dropped.transpose() * dropped, MatrixNear(MatrixXd::Ones(1, 1), kRounding));
+}
+
+TEST(TruncatedSvd, ResidualNormIsWhatTheTruncatedStepLeaves) {
+  Rng rng(3);
+  const MatrixXd J = RandomMatrix(8, 5, &rng);
+  const VectorXd b = RandomVector(8, &rng);
+  TruncatedSvd svd = DecomposeScaled(J, VectorXd::Constant(5, 0.5));
+  for (const int rank : {5, 3, 1}) {
+    SetCut(rank == 5 ? 0.0 : svd.s[rank], &svd);
+    ASSERT_EQ(svd.rank, rank);
+    EXPECT_NEAR(svd.ResidualNorm(b), (J * svd.Solve(b) - b).norm(), kRounding);
+  }
+}
+
+TEST(TruncatedSvd, FindsSmallSingularValuesToTheRoundingOfTheLargest) {
+  Rng rng(4);
+  const MatrixXd U = Eigen::HouseholderQR<MatrixXd>(RandomMatrix(4, 4, &rng)).householderQ();
+  const MatrixXd V = Eigen::HouseholderQR<MatrixXd>(RandomMatrix(4, 4, &rng)).householderQ();
+  const Eigen::Vector4d s(1, 1e-5, 1e-10, 0);
+  const TruncatedSvd svd = DecomposeScaled(U * s.asDiagonal() * V.transpose(), VectorXd::Ones(4));
+  EXPECT_THAT(svd.s, MatrixNear(s, 2e-15));
+}
+
+}  // namespace
+}  // namespace dhcal

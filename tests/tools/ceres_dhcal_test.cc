@@ -1,0 +1,208 @@
+// The program as a user runs it: exit status, what it prints, what it writes.
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+#include "tests/support/files.h"
+
+namespace dhcal {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+struct Outcome {
+  int exit_status = -1;
+  std::string out, err;
+};
+
+std::string ReadAll(const fs::path& file) {
+  std::ifstream stream(file);
+  std::stringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// Runs the program in a scratch folder of its own.
+class Program : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "dhcal_program_XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+    fs::create_directory(folder_ / "work");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Outcome Run(const std::string& arguments) const {
+    const std::string command = "cd '" + (folder_ / "work").string() + "' && '" DHCAL_PROGRAM "' " +
+                                arguments + " > ../out 2> ../err";
+    const int status = std::system(command.c_str());
+    return {WEXITSTATUS(status), ReadAll(folder_ / "out"), ReadAll(folder_ / "err")};
+  }
+
+  static std::string Case(const std::string& name) {
+    return "--problem '" + SourcePath("problems/" + name + ".yaml") + "' ";
+  }
+
+  void Write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / "work" / name) << text;
+  }
+
+  std::set<std::string> Files(const std::string& relative) const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_ / "work" / relative)) {
+      names.insert(entry.path().filename().string());
+    }
+    return names;
+  }
+
+  nlohmann::json Json(const std::string& relative) const {
+    return nlohmann::json::parse(ReadAll(folder_ / "work" / relative));
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Program, WritesTheWholeResultFolderAndPrintsItsReport) {
+  const Outcome outcome = Run(Case("kr15"));
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_EQ(Files("."), std::set<std::string>{"kr15_result"});
+  EXPECT_EQ(Files("kr15_result"),
+            (std::set<std::string>{"calibrated.yaml", "recording.csv", "report.txt",
+                                   "residuals.csv", "result.json"}));
+  EXPECT_THAT(outcome.out, HasSubstr(ReadAll(folder_ / "work/kr15_result/report.txt")));
+  EXPECT_THAT(outcome.out, HasSubstr("only d2 + d3 is determined: axes 2 and 3 are parallel"));
+  EXPECT_THAT(outcome.out, HasSubstr("theta6 turns about an axis through the measured point"));
+  const auto fit = Json("kr15_result/result.json")["fits"][0];
+  EXPECT_EQ(fit["iterations"], 2);
+  EXPECT_EQ(fit["rank"], 23);
+}
+
+TEST_F(Program, QuietPrintsNothing) {
+  const Outcome outcome = Run(Case("kr15") + "--quiet");
+  EXPECT_EQ(outcome.exit_status, 0);
+  EXPECT_THAT(outcome.out + outcome.err, IsEmpty());
+}
+
+TEST_F(Program, DivergedFitExitsWithOneAndStillReports) {
+  const Outcome outcome = Run(Case("kr15_noisy_paper_rule") + "--out result");
+  EXPECT_EQ(outcome.exit_status, 1);
+  EXPECT_THAT(ReadAll(folder_ / "work/result/report.txt"), HasSubstr("Diverged"));
+  const auto json = Json("result/result.json");
+  EXPECT_EQ(json["fits"][0]["termination"], "diverged");
+  EXPECT_FALSE(json["fits"][0].contains("parameters"));
+  EXPECT_EQ(Files("result").count("calibrated.yaml"), 0u);
+}
+
+TEST_F(Program, FlagsOverrideTheFile) {
+  const Outcome outcome =
+      Run(Case("kr15_noisy") + "--singular_value_tolerance=paper --method=both --out r");
+  const auto json = Json("r/result.json");
+  ASSERT_EQ(json["fits"].size(), 2u) << outcome.err;
+  EXPECT_EQ(json["fits"][0]["termination"], "diverged");
+}
+
+TEST_F(Program, BadInputExitsWithTwoAndWritesNothing) {
+  Write("bad.yaml", "schema: 1\nname: bad\nrobott: {}\n");
+  const Outcome outcome = Run("--problem bad.yaml");
+  EXPECT_EQ(outcome.exit_status, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("bad.yaml:3:1: error:"), HasSubstr("robot")));
+  EXPECT_EQ(Files("."), std::set<std::string>{"bad.yaml"});
+}
+
+TEST_F(Program, OneBadProblemOfSeveralStopsAllBeforeAnythingIsWritten) {
+  Write("bad.yaml", "schema: 2\n");
+  const Outcome outcome = Run(Case("kr15") + "--problem bad.yaml --problem absent.yaml");
+  EXPECT_EQ(outcome.exit_status, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("bad.yaml:1"), HasSubstr("absent.yaml")));
+  EXPECT_EQ(Files("."), std::set<std::string>{"bad.yaml"});
+}
+
+TEST_F(Program, MoreParametersThanReadingsIsBadInput) {
+  std::string text = ReadAll(SourcePath("problems/kr15.yaml"));
+  const std::size_t at = text.find("poses: 100");
+  Write("few.yaml", text.replace(at, 10, "poses: 7"));
+  const Outcome outcome = Run("--problem few.yaml");
+  EXPECT_EQ(outcome.exit_status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("fewer than the 24 free parameters"));
+}
+
+TEST_F(Program, SeveralProblemsGiveASummaryTable) {
+  const Outcome outcome = Run(Case("kr15") + Case("kr15_noisy") + "--out all");
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+  EXPECT_EQ(Files("all"), (std::set<std::string>{"kr15_result", "kr15_noisy_result"}));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("23/24"), HasSubstr("20/24")));
+}
+
+TEST_F(Program, TwoProblemsWithOneFolderAreRefused) {
+  const Outcome outcome = Run(Case("kr15") + Case("kr15"));
+  EXPECT_EQ(outcome.exit_status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("different names"));
+}
+
+TEST_F(Program, CalibratedFileRunsAgainAndHasNothingLeftToCorrect) {
+  ASSERT_EQ(Run(Case("kr15_noisy") + "--out first").exit_status, 0);
+  const Outcome again = Run("--problem first/calibrated.yaml --out second");
+  EXPECT_EQ(again.exit_status, 0) << again.err;
+  const auto before = Json("first/result.json")["fits"][0];
+  const auto after = Json("second/result.json")["fits"][0];
+  EXPECT_NEAR(after["rms_m"].get<double>(), before["rms_m"].get<double>(), 1e-9);
+  for (const auto& parameter : after["parameters"]) {
+    EXPECT_LT(std::abs(parameter["correction"].get<double>()), 1e-8) << parameter["name"];
+  }
+}
+
+TEST_F(Program, ForeignFilesInTheResultFolderAreNeverTouched) {
+  fs::create_directory(folder_ / "work/mine");
+  Write("mine/thesis.txt", "years of work");
+  const Outcome outcome = Run(Case("kr15") + "--out mine");
+  EXPECT_EQ(outcome.exit_status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("thesis.txt"));
+  EXPECT_EQ(Files("mine"), std::set<std::string>{"thesis.txt"});
+}
+
+TEST_F(Program, WrongFlagsSayWhatToDo) {
+  for (const char* const arguments :
+       {"", "--problm x.yaml", "--problem", "--out", "--quiet=perhaps --problem x.yaml"}) {
+    const Outcome outcome = Run(arguments);
+    EXPECT_EQ(outcome.exit_status, 2) << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr("--help")) << arguments;
+  }
+  const Outcome method = Run(Case("kr15") + "--method newton");
+  EXPECT_EQ(method.exit_status, 2);
+  EXPECT_THAT(method.err, HasSubstr("svd_gauss_newton"));
+}
+
+TEST_F(Program, HelpAndVersionExitWithZero) {
+  const Outcome help = Run("--help");
+  EXPECT_EQ(help.exit_status, 0);
+  EXPECT_THAT(help.out, AllOf(HasSubstr("--problem FILE"), HasSubstr("Exit status")));
+  EXPECT_THAT(Run("--version").out, HasSubstr("ceres_dhcal " DHCAL_VERSION));
+}
+
+TEST_F(Program, OutputDoesNotDependOnTheLocale) {
+  const Outcome plain = Run(Case("kr15_noisy") + "--out a");
+  setenv("LC_ALL", "de_DE.UTF-8", 1);
+  Run(Case("kr15_noisy") + "--out b");
+  unsetenv("LC_ALL");
+  EXPECT_EQ(ReadAll(folder_ / "work/a/residuals.csv"), ReadAll(folder_ / "work/b/residuals.csv"));
+  EXPECT_THAT(plain.out, Not(HasSubstr("nan")));
+}
+
+}  // namespace
+}  // namespace dhcal
