@@ -49,8 +49,7 @@ void Explain(const Determination& d,
   switch (d.verdict) {
     case Verdict::kUnobservable:
       Confounded(null_space, result);
-      if (result->confounded_with.empty() && !result->explanation.empty()) return;
-      result->confounded_with.clear();
+      if (!result->explanation.empty()) return;
       result->explanation = fmt::format(
           "its tolerance of {} moves the readings by less than their noise, even if all other "
           "parameters were known",

@@ -16,6 +16,9 @@
 namespace dhcal {
 namespace {
 
+// No calibration error is as large [m].
+constexpr double kNotThisRobot = 0.02;
+
 bool IsFrameParameter(const Parameter& p) {
   return p.group == ParameterGroup::kBase || p.group == ParameterGroup::kTool;
 }
@@ -64,6 +67,12 @@ void AddNotes(const Calibration& c, Result* result) {
         "Differences were taken from measured positions, so each position's error enters two of "
         "them; 'noise: shared_pose' would weigh that exactly.");
   }
+  if (result->base_and_tool_only && result->base_and_tool_only->rms > kNotThisRobot) {
+    result->notes.push_back(fmt::format(
+        "The nominal robot with base and tool fitted misses the readings by {:.0f} mm: check the "
+        "joints' order, signs and units, the DH convention and the nominal lengths.",
+        result->base_and_tool_only->rms / kMillimetre));
+  }
   // Fixed scale: no reading of a length standard is in such data.
   result->notes.push_back(
       "A common scale error of all lengths (instrument, ruler or temperature) cannot be told from "
@@ -82,6 +91,7 @@ void DescribeFits(const Calibration& c, const std::vector<Fit>& fits, Result* re
       best_analysis = analysis;
     }
   }
+  result->noise_sigma = fits.front().noise.sigma;
   if (result->best_fit < 0) return;
   const Fit& best = fits[static_cast<std::size_t>(result->best_fit)];
   const Eigen::VectorXd& state = best.summary.state;

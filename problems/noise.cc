@@ -44,7 +44,7 @@ Eigen::VectorXd ResidualsAfter(EstimationProblem* problem, const Eigen::VectorXd
 
 /// Standard deviation of values that `share` of the freedom is left to.
 double Scale(const std::vector<double>& values, double share, bool robust) {
-  if (robust) return RobustScale(values);
+  if (robust) return RobustScale(values) / std::sqrt(share);
   double square = 0;
   for (const double value : values) square += value * value;
   return std::sqrt(square / (static_cast<double>(values.size()) * share));

@@ -8,7 +8,7 @@ usage: tools/run.sh [ceres_dhcal arguments]
 
 Installs what is missing, builds ceres_dhcal and runs
   ceres_dhcal --problem problems/kr15.yaml [ceres_dhcal arguments]
-in the current directory. Another case: tools/run.sh --problem my_robot.yaml
+in the current directory. Another case instead: tools/run.sh --problem my_robot.yaml
 TEXT
 }
 
@@ -32,8 +32,15 @@ if ! (cd "$root" && cmake --preset release) >"$log" 2>&1 ||
   exit 1
 fi
 
+# A problem among the arguments takes the place of the paper's experiment.
+problem=(--problem "$root/problems/kr15.yaml")
+for argument in "$@"; do
+  case "$argument" in
+    --problem | --problem=* | *.yaml | --help | --version) problem=() ;;
+  esac
+done
 status=0
-"$program" --problem "$root/problems/kr15.yaml" "$@" || status=$?
+"$program" "${problem[@]}" "$@" || status=$?
 if [ "$status" -eq 0 ]; then
   echo "Done: ceres_dhcal ran to its end; the lines above say what it found and where its report is."
 else

@@ -45,5 +45,8 @@ fi
 echo "setup: installing ${missing[*]}"
 apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o Dpkg::Use-Pty=0 -qq)
 "${apt[@]}" update || echo "setup: apt-get update failed; trying with the package lists at hand." >&2
-"${apt[@]}" install -y --no-install-recommends "${missing[@]}"
+if ! "${apt[@]}" install -y --no-install-recommends "${missing[@]}"; then
+  echo "setup: apt-get could not install ${missing[*]}; its lines above say why." >&2
+  exit 1
+fi
 echo "setup: installed ${#missing[@]} of ${#wanted[@]} packages; the others were there."

@@ -9,6 +9,7 @@ namespace dhcal {
 namespace {
 
 constexpr double kConfounded = 1.0 / 7.0;      // [tolerances]
+constexpr double kAllHidden = 0.999;           // [tolerances]
 constexpr double kWellDetermined = 1.0 / 3.0;  // [tolerances]
 constexpr double kHarmlessBias = 0.2;          // [sigmas]: 95 % intervals still cover 94.5 %
 
@@ -38,7 +39,7 @@ ObservabilityIndices Indices(const TruncatedSvd& svd, int num_poses) {
 }  // namespace
 
 Verdict VerdictOf(const Determination& d) {
-  if (!(d.alone < 1.0)) return Verdict::kUnobservable;
+  if (!(d.alone < 1.0) || d.hidden > kAllHidden) return Verdict::kUnobservable;
   if (d.hidden > kConfounded) return Verdict::kConfounded;
   const bool sharp = std::hypot(d.sigma, d.hidden) < kWellDetermined;
   if (sharp && d.hidden <= kHarmlessBias * d.sigma) return Verdict::kIdentified;

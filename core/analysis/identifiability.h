@@ -43,7 +43,8 @@ Identifiability Identify(const Linearization& readings,
                          int num_poses);
 
 /// The rule behind a verdict, from a parameter's determination:
-///   unobservable  even alone it is known no better than the tolerance (alone >= 1)
+///   unobservable  even alone it is known no better than the tolerance (alone >= 1), or it lies in
+///                 undetermined directions but for a thousandth
 ///   confounded    more than a seventh of the tolerance stays hidden among other parameters
 ///   identified    sigma below a third of the tolerance, and what is hidden below a fifth of sigma
 ///                 (so that the interval covers)

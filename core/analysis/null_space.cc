@@ -8,18 +8,39 @@
 namespace dhcal {
 namespace {
 
-// An entry below this share of the largest (in tolerances) is not worth a word.
-constexpr double kNegligible = 0.02;
-constexpr double kParallel = 1e-6;  // [rad]
+// Entries below this share of the largest (in tolerances) are left out of a direction, if without
+// them it is as hidden as with them; else the next share is tried.
+constexpr double kNegligible[] = {0.02, 0.005, 1e-3, 1e-4, 0.0};
+constexpr double kParallel = 0.02;  // [rad]
+
+/// The direction without entries below `share` of its largest.
+Eigen::VectorXd Without(const Eigen::VectorXd& direction, double share) {
+  const double least = share * direction.cwiseAbs().maxCoeff();
+  return (direction.array().abs() < least).select(0.0, direction);
+}
+
+/// By how many noise units a move along the direction changes the readings.
+double Gain(const TruncatedSvd& svd, const Eigen::VectorXd& direction) {
+  return svd.s.cwiseProduct(svd.V.transpose() * direction).norm();
+}
+
+/// The shortest form of a direction that the readings see no better than the whole.
+Eigen::VectorXd Shortened(const TruncatedSvd& svd, const Eigen::VectorXd& direction) {
+  const double allowed = std::max(1.0, 1.1 * Gain(svd, direction));
+  for (const double share : kNegligible) {
+    const Eigen::VectorXd shorter = Without(direction, share);
+    if (Gain(svd, shorter) <= allowed) return shorter;
+  }
+  return direction;
+}
 
 NullDirection Named(const Eigen::VectorXd& direction,
                     const Eigen::VectorXd& scale,
                     const std::vector<Parameter>& parameters) {
-  const double largest_scaled = direction.cwiseAbs().maxCoeff();
   NullDirection result;
   double largest = 0;
   for (Eigen::Index k = 0; k < direction.size(); ++k) {
-    if (std::abs(direction[k]) < kNegligible * largest_scaled) continue;
+    if (direction[k] == 0) continue;
     const double weight = direction[k] * scale[k];
     result.direction.push_back({parameters[static_cast<std::size_t>(k)].name, weight});
     if (std::abs(weight) > std::abs(largest)) largest = weight;
@@ -51,7 +72,7 @@ std::vector<NullDirection> ExplainNullSpace(const TruncatedSvd& svd,
   const Eigen::MatrixXd basis = SparseBasis(svd.dropped());
   std::vector<NullDirection> result;
   for (Eigen::Index k = 0; k < basis.rows(); ++k) {
-    result.push_back(Named(basis.row(k).transpose(), svd.scale, parameters));
+    result.push_back(Named(Shortened(svd, basis.row(k).transpose()), svd.scale, parameters));
   }
   // The shortest are the plainest; ties in the order of the parameters.
   std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) {

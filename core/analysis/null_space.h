@@ -25,8 +25,9 @@ std::vector<NullDirection> ExplainNullSpace(const TruncatedSvd& svd,
                                             const RobotModel& robot,
                                             MeasurementKind kind);
 
-/// True if the axes that theta_i and theta_j turn about are nominally parallel at every pose (only
-/// rows without twist between them). Joints count from 0.
+/// True if the axes that theta_i and theta_j turn about are parallel at every pose up to a degree
+/// (only rows without twist between them): so near that plain DH needs Hayati's beta, also when the
+/// rows are those of an earlier calibration. Joints count from 0.
 bool AxesParallel(const RobotModel& robot, int joint_i, int joint_j);
 
 }  // namespace dhcal

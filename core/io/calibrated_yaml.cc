@@ -84,8 +84,7 @@ YAML::Node JointNode(const JointRow& joint, const YAML::Node& old) {
 void SetPose(const Eigen::Isometry3d& X, YAML::Node* node) {
   const Eigen::Vector3d rpy = PairedRpy(X.linear());
   (*node)["xyz_m"] = FlowList(X.translation());
-  (*node)["rpy_deg"] =
-      FlowList({DegreesOf(rpy.x()), DegreesOf(rpy.y()), DegreesOf(rpy.z())});
+  (*node)["rpy_deg"] = FlowList({DegreesOf(rpy.x()), DegreesOf(rpy.y()), DegreesOf(rpy.z())});
 }
 
 YAML::Node FrameNode(const Eigen::Isometry3d& X,
@@ -171,9 +170,11 @@ std::string CalibratedYaml(const ProblemSpec& spec,
   }
   YAML::Emitter emitter;
   emitter << root;
-  return fmt::format("# Made by ceres_dhcal from {}: the nominal values of the robot are the ones\n"
-                     "# identified from its recording. Everything else is as it was there.\n",
-                     Printable(std::filesystem::path(spec.file).filename().string())) +
+  return fmt::format(
+             "# Made by ceres_dhcal from {}: the nominal values of the robot are the ones\n"
+             "# identified from its recording. Its other keys are as they were; its comments are "
+             "gone.\n",
+             Printable(std::filesystem::path(spec.file).filename().string())) +
          emitter.c_str() + "\n";
 }
 

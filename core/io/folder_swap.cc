@@ -1,10 +1,9 @@
 #include "core/io/folder_swap.h"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <optional>
 #include <system_error>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -94,8 +93,7 @@ int PutInPlace(const fs::path& partial, const fs::path& folder, SwapMethod metho
     return RenameEntry(partial, folder);
   }
   *old = partial;
-  const int error =
-      method == SwapMethod::kExchange ? ExchangeEntries(partial, folder) : ENOSYS;
+  const int error = method == SwapMethod::kExchange ? ExchangeEntries(partial, folder) : ENOSYS;
   if (error != EINVAL && error != ENOSYS && error != ENOTSUP) return error;
   *old = Sibling(folder, kOld);
   const int aside = RenameEntry(folder, *old);
@@ -130,8 +128,9 @@ bool ReplaceFolder(const fs::path& folder,
   }
   SyncFolder(parent);
   if (!old.empty() && !RemoveOwn(old, own_names)) {
-    diagnostics->Warning({old.string()}, "what stood in the result folder before could not be "
-                                         "deleted completely and remains here");
+    diagnostics->Warning({old.string()},
+                         "what stood in the result folder before could not be "
+                         "deleted completely and remains here");
   }
   return true;
 }

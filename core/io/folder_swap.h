@@ -17,7 +17,8 @@ struct NamedContent {
 
 enum class SwapMethod {
   kExchange,     // one step; falls back to the other where the file system has no such step
-  kRenameTwice,  // a kill between the two leaves the old folder beside; the next call brings it back
+  kRenameTwice,  // a kill between the two leaves the old folder beside; the next call brings it
+                 // back
 };
 
 /// Writes `files` to a folder beside `folder`, puts it in the place of `folder` and deletes what

@@ -1,14 +1,13 @@
 #include "core/io/posix_file.h"
 
+#include <array>
+#include <cerrno>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
 #include <sys/stat.h>
-#include <unistd.h>
-
-#include <array>
-#include <cerrno>
 #include <system_error>
+#include <unistd.h>
 
 namespace dhcal {
 namespace {

@@ -32,8 +32,8 @@ void AppendHeader(const std::vector<Coordinate>& coordinates, bool with_target, 
   if (with_target) csv->Label("target");
   csv->Label("set");
   for (const Coordinate& coordinate : coordinates) {
-    for (const char* const what : {"measured_", "predicted_before_", "predicted_after_",
-                                   "residual_"}) {
+    for (const char* const what :
+         {"measured_", "predicted_before_", "predicted_after_", "residual_"}) {
       csv->Label(what + coordinate.suffix);
     }
     csv->Label("standardised_" + coordinate.name);

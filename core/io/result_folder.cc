@@ -1,6 +1,4 @@
 // The result folder: which files it holds, when it may be replaced, and what goes into it.
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
@@ -9,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <system_error>
+#include <unistd.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -61,17 +60,20 @@ std::string WhyNotReplaceable(const fs::path& folder) {
   bool has_result = false;
   std::vector<std::string> foreign = ForeignNames(folder, &has_result);
   if (!foreign.empty()) {
-    const std::string more = foreign.size() > 3 ? fmt::format(" and {} more", foreign.size() - 3)
-                                                : std::string();
+    const std::string more =
+        foreign.size() > 3 ? fmt::format(" and {} more", foreign.size() - 3) : std::string();
     foreign.resize(std::min<std::size_t>(foreign.size(), 3));
     return fmt::format(
         "holds files that are not from an earlier result ({}{}) and is left alone; name an empty "
         "or new folder with --out",
-        fmt::join(foreign, ", "), more);
+        fmt::join(foreign, ", "),
+        more);
   }
   if (!has_result && !fs::is_empty(folder)) {
-    return fmt::format("holds files but no {}, so it is no earlier result and is left alone; "
-                       "name an empty or new folder with --out", kResultJson);
+    return fmt::format(
+        "holds files but no {}, so it is no earlier result and is left alone; "
+        "name an empty or new folder with --out",
+        kResultJson);
   }
   return "";
 }
@@ -162,8 +164,7 @@ bool WriteResult(const ProblemSpec& spec,
   if (diagnostics->num_errors() > errors_before) return false;
   try {
     const fs::path folder = Resolve(directory);
-    const std::vector<NamedContent> files =
-        Compose(spec, recording, result, report_text, folder);
+    const std::vector<NamedContent> files = Compose(spec, recording, result, report_text, folder);
     return ReplaceFolder(folder, files, OwnNames(), SwapMethod::kExchange, diagnostics);
   } catch (const std::runtime_error& error) {
     diagnostics->Error({spec.file}, fmt::format("the result cannot be written: {}", error.what()));

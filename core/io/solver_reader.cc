@@ -24,8 +24,10 @@ void ReadTruncation(YamlMap* map, SolverSpec* solver) {
   if (!value) return;
   const std::string text = value->node().IsScalar() ? value->node().Scalar() : "";
   if (ParseTruncation(text, solver)) return;
-  value->Error(fmt::format("is {}, but 'noise', 'paper' or a number above 0 and below 1 is expected",
-                           value->Describe()));
+  value->Error(
+      fmt::format("is {}, but 'noise', 'paper' or a number above 0 and below 1 is "
+                  "expected",
+                  value->Describe()));
 }
 
 void ReadLoss(YamlMap* map, SolverSpec* solver) {

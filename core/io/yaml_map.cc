@@ -47,7 +47,7 @@ void YamlMap::AddEntry(const YAML::Node& key, const YAML::Node& value) {
     source->Error(where, "a key must be a word, as in 'key: value'");
     return;
   }
-  const std::string name = key.Scalar();
+  const std::string& name = key.Scalar();
   const Entry* const first = FindEntry(name);
   if (first != nullptr) {
     source->Error(

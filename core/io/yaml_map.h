@@ -85,6 +85,7 @@ class YamlMap {
     const std::optional<YamlValue> found = Find(key);
     if (!found) return false;
     std::vector<std::string> names;
+    names.reserve(words.size());
     for (const auto& word : words) names.push_back(word.first);
     const int idx = ChooseWord(*found, names, later);
     if (idx >= 0) *choice = words[idx].second;

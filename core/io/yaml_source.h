@@ -34,6 +34,8 @@ class YamlSource {
 
  private:
   std::string_view Line(int line_idx) const;
+  bool HoldsOneDocument() const;
+  void ReportSyntax(const YAML::Exception& error) const;
 
   std::string file_;
   std::string content_;

@@ -48,14 +48,11 @@ std::string Range::ToString() const {
   return text;
 }
 
-YamlValue::YamlValue(YAML::Node node,
+YamlValue::YamlValue(const YAML::Node& node,
                      std::string name,
                      SourceLocation key_where,
                      const YamlSource* source)
-    : node_(std::move(node)),
-      name_(std::move(name)),
-      key_where_(std::move(key_where)),
-      source_(source) {}
+    : node_(node), name_(std::move(name)), key_where_(std::move(key_where)), source_(source) {}
 
 std::string YamlValue::QuotedName() const { return name_.empty() ? "the file" : "'" + name_ + "'"; }
 

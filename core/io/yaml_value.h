@@ -37,7 +37,10 @@ struct Range {
 class YamlValue {
  public:
   /// `name` is the dotted path of keys, such as "solver.kappa"; "" for the whole file.
-  YamlValue(YAML::Node node, std::string name, SourceLocation key_where, const YamlSource* source);
+  YamlValue(const YAML::Node& node,
+            std::string name,
+            SourceLocation key_where,
+            const YamlSource* source);
 
   const YAML::Node& node() const { return node_; }
   const std::string& name() const { return name_; }

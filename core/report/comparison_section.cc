@@ -38,19 +38,22 @@ double TotalSize(const ComparedParameter& parameter) {
 std::string Largest(const std::vector<ComparedParameter>& comparison,
                     double ComparedParameter::*difference,
                     bool noise_free) {
-  const ComparedParameter& largest = *std::max_element(
-      comparison.begin(), comparison.end(),
-      [&](const ComparedParameter& a, const ComparedParameter& b) {
-        return Size(a.*difference) < Size(b.*difference);
-      });
+  const ComparedParameter& largest =
+      *std::max_element(comparison.begin(),
+                        comparison.end(),
+                        [&](const ComparedParameter& a, const ComparedParameter& b) {
+                          return Size(a.*difference) < Size(b.*difference);
+                        });
   if (Size(largest.*difference) == 0) return "none";
   return fmt::format("{:.1e} {} ({})",
                      Size(largest.*difference) / PrintedUnit(largest.unit, noise_free),
-                     PrintedUnitName(largest.unit, noise_free), largest.name);
+                     PrintedUnitName(largest.unit, noise_free),
+                     largest.name);
 }
 
 std::string DifferenceTable(std::vector<ComparedParameter> comparison, bool noise_free) {
-  std::stable_sort(comparison.begin(), comparison.end(),
+  std::stable_sort(comparison.begin(),
+                   comparison.end(),
                    [](const ComparedParameter& a, const ComparedParameter& b) {
                      return TotalSize(a) > TotalSize(b);
                    });
@@ -63,7 +66,8 @@ std::string DifferenceTable(std::vector<ComparedParameter> comparison, bool nois
   for (std::size_t i = 0; i < comparison.size() && i < kMostRows; ++i) {
     const ComparedParameter& parameter = comparison[i];
     const double unit = PrintedUnit(parameter.unit, noise_free);
-    table.AddRow({parameter.name, PrintedUnitName(parameter.unit, noise_free),
+    table.AddRow({parameter.name,
+                  PrintedUnitName(parameter.unit, noise_free),
                   FixedWithin(parameter.svd_gauss_newton / unit, 5, 12),
                   FixedWithin(parameter.levenberg_marquardt / unit, 5, 12),
                   Scientific(parameter.difference / unit, 1),

@@ -14,8 +14,8 @@ namespace dhcal {
 namespace {
 
 constexpr std::size_t kMostDirections = 16;
-constexpr std::size_t kMostEntries = 8;     // of one direction
-constexpr std::size_t kMostParameters = 20;
+constexpr std::size_t kMostEntries = 8;  // of one direction
+constexpr std::size_t kMostParameters = 40;
 constexpr std::size_t kMostPartners = 6;    // of a confounded parameter
 constexpr std::size_t kLargestValues = 16;  // of a long spectrum
 constexpr std::size_t kSmallestValues = 24;
@@ -23,9 +23,12 @@ constexpr std::size_t kSmallestValues = 24;
 std::string RankSentence(const FitResult& fit) {
   if (fit.rank < 0 || fit.columns < 0) return "";
   const auto determined = fit.columns - static_cast<int>(fit.null_space.size());
-  std::string text = fmt::format("Of {} directions of the parameters the readings determine {} better "
-                                 "than manufacture does; the solver changed {}",
-                                 fit.columns, determined, fit.rank);
+  std::string text = fmt::format(
+      "Of {} directions of the parameters the readings determine {} better "
+      "than manufacture does; the solver changed {}",
+      fit.columns,
+      determined,
+      fit.rank);
   if (fit.rank_numerical >= 0) {
     text += fmt::format("; the readings respond to {} at all", fit.rank_numerical);
   }
@@ -46,7 +49,9 @@ std::string DirectionText(const NullDirection& null_direction) {
 std::string NullSpaceText(const std::vector<NullDirection>& null_space) {
   std::string text;
   for (std::size_t i = 0; i < null_space.size() && i < kMostDirections; ++i) {
-    text += "\n" + Wrap(fmt::format("  {:>2}. ", i + 1), null_space[i].explanation);
+    const bool repeated = i > 0 && null_space[i].explanation == null_space[i - 1].explanation;
+    const std::string number = fmt::format("  {:>2}. ", i + 1);
+    text += "\n" + Wrap(number, repeated ? "as before" : null_space[i].explanation);
     text += Wrap("      ", DirectionText(null_space[i]));
   }
   if (null_space.size() > kMostDirections) {
@@ -100,7 +105,7 @@ std::string SingularValues(const FitResult& fit) {
     terms.push_back(cut ? fmt::format("[{:.2e}]", all[i]) : fmt::format("{:.2e}", all[i]));
   }
   std::string title = "Singular values";
-  if (!fit.singular_values_of.empty()) title += " of " + fit.singular_values_of;
+  if (!fit.singular_values_of.empty()) title += " (" + fit.singular_values_of + ")";
   if (!std::isnan(fit.truncation_cut)) {
     title += fmt::format("; those in brackets, at or below {:.2e}, were set to zero",
                          fit.truncation_cut);
@@ -112,13 +117,18 @@ std::string Figures(const FitResult& fit) {
   std::string text;
   const ObservabilityIndices& o = fit.observability;
   if (!std::isnan(o.o1)) {
-    text += Wrap("  ", fmt::format("Observability indices: O1 {:.3g}, O2 {:.3g}, O3 {:.3g}, "
-                                   "O4 {:.3g}, O5 {:.3g}",
-                                   o.o1, o.o2, o.o3, o.o4, o.o5));
+    text += Wrap("  ",
+                 fmt::format("Observability indices: O1 {:.3g}, O2 {:.3g}, O3 {:.3g}, "
+                             "O4 {:.3g}, O5 {:.3g}",
+                             o.o1,
+                             o.o2,
+                             o.o3,
+                             o.o4,
+                             o.o5));
   }
   if (!std::isnan(fit.condition_number)) {
-    text += Wrap("  ", fmt::format("Condition number of the directions kept: {:.3g}",
-                                   fit.condition_number));
+    text += Wrap(
+        "  ", fmt::format("Condition number of the directions kept: {:.3g}", fit.condition_number));
   }
   text += SingularValues(fit);
   if (!fit.covariance_check.empty()) text += Wrap("  ", fit.covariance_check);
@@ -130,9 +140,8 @@ std::string Figures(const FitResult& fit) {
 std::string IdentifiabilitySection(const Result& result) {
   const FitResult* const fit = result.best();
   if (fit == nullptr) return "";
-  const std::string text =
-      RankSentence(*fit) + NullSpaceText(fit->null_space) + DoubtfulParameters(*fit) +
-      Figures(*fit);
+  const std::string text = RankSentence(*fit) + NullSpaceText(fit->null_space) +
+                           DoubtfulParameters(*fit) + Figures(*fit);
   return text.empty() ? "" : Heading("WHAT THE READINGS CANNOT TELL") + text;
 }
 

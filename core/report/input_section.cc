@@ -32,7 +32,8 @@ std::string RecordingText(const ProblemSpec& spec, const Result& result) {
   if (!result.simulated) return FileName(spec.recording);
   if (!spec.simulate) return "simulated";
   return fmt::format("simulated with known errors, noise {} mm, seed {}",
-                     spec.simulate->noise / kMillimetre, spec.simulate->seed);
+                     spec.simulate->noise / kMillimetre,
+                     spec.simulate->seed);
 }
 
 std::string RowsText(const Result& result) {
@@ -98,9 +99,12 @@ std::string SolverText(const SolverSpec& solver) {
                                  ? SolverName(SolverMethod::kSvdGaussNewton) + " and " +
                                        SolverName(SolverMethod::kLevenbergMarquardt)
                                  : SolverName(solver.method);
-  return fmt::format("{}, truncation rule {}, kappa {:g} m, at most {}{}", method,
-                     TruncationText(solver), solver.kappa,
-                     Counted(solver.max_iterations, "iteration"), LossText(solver));
+  return fmt::format("{}, truncation rule {}, kappa {:g} m, at most {}{}",
+                     method,
+                     TruncationText(solver),
+                     solver.kappa,
+                     Counted(solver.max_iterations, "iteration"),
+                     LossText(solver));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 namespace dhcal {
 namespace {
 
-constexpr std::size_t kMostRows = 150;
+constexpr std::size_t kMostRows = 100;
 constexpr std::size_t kMostFixedNames = 40;
 constexpr int kNameWidth = 40;
 constexpr int kNumberWidth = 9;
@@ -51,10 +51,13 @@ void AddParameter(const ParameterResult& parameter, const PrintedUnits& units, T
   const auto value = [&](double number) {
     return FixedWithin(number / units.value, value_decimals, kValueWidth);
   };
-  table->AddRow({parameter.name, value(parameter.nominal), correction(parameter.correction),
+  table->AddRow({parameter.name,
+                 value(parameter.nominal),
+                 correction(parameter.correction),
                  wanted > decimals ? Scientific(sigma, 1) : correction(parameter.sigma),
                  correction(parameter.ci95_low - parameter.nominal),
-                 correction(parameter.ci95_high - parameter.nominal), value(parameter.value),
+                 correction(parameter.ci95_high - parameter.nominal),
+                 value(parameter.value),
                  ToString(parameter.verdict)});
 }
 
@@ -97,7 +100,7 @@ std::string FixedParameters(const FitResult& fit) {
 }  // namespace
 
 bool IsNoiseFree(const Result& result) {
-  constexpr double kBelowAnyInstrument = 1e-8;  // [m]
+  constexpr double kBelowAnyInstrument = 1e-7;  // [m]
   return result.best() != nullptr && result.best()->rms < kBelowAnyInstrument;
 }
 
@@ -106,8 +109,9 @@ std::string ParameterSection(const Result& result) {
   if (fit == nullptr || fit->parameters.empty()) return "";
   const bool noise_free = IsNoiseFree(result);
   return Heading("PARAMETERS") +
-         Wrap("  ", "Sigma and the 95 % interval are those of the correction. They hold for the "
-                    "parameters called identified; for the others see the next section.") +
+         Wrap("  ",
+              "Sigma and the 95 % interval are those of the correction. They hold for the "
+              "parameters called identified; for the others see the next section.") +
          UnitTable(*fit, Unit::kRadian, noise_free) + UnitTable(*fit, Unit::kMetre, noise_free) +
          FixedParameters(*fit);
 }

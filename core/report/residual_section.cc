@@ -38,6 +38,7 @@ double Length(const RowResidual& row, const std::vector<std::string>& names) {
 
 std::vector<const RowResidual*> WorstRows(const std::vector<RowResidual>& rows) {
   std::vector<const RowResidual*> worst;
+  worst.reserve(rows.size());
   for (const RowResidual& row : rows) worst.push_back(&row);
   const auto end = worst.begin() + static_cast<long>(std::min(worst.size(), kMostRows));
   std::partial_sort(worst.begin(), end, worst.end(), [](const auto* a, const auto* b) {
@@ -59,8 +60,10 @@ std::string ResidualSection(const Result& result) {
                    {"residual", "[mm]"},
                    {"largest coordinate", "[standard deviations]"}});
   for (const RowResidual* const row : WorstRows(result.residuals)) {
-    table.AddRow({std::to_string(row->row_idx + 1), row->run.empty() ? "-" : row->run,
-                  row->test ? "unseen" : "fitted", Millimetres(Length(*row, result.coordinate_names)),
+    table.AddRow({std::to_string(row->row_idx + 1),
+                  row->run.empty() ? "-" : row->run,
+                  row->test ? "unseen" : "fitted",
+                  Millimetres(Length(*row, result.coordinate_names)),
                   Fixed(Sigmas(*row), 1)});
   }
   return Heading("LARGEST RESIDUALS") + table.ToString();

@@ -32,7 +32,8 @@ std::string BriefLine(const FitResult& fit) {
 
 void AddStep(const IterationRecord& record, TextTable* table) {
   table->AddRow({record.iteration < 0 ? "-" : std::to_string(record.iteration),
-                 Scientific(record.cost, 4), Scientific(record.kappa_norm, 4),
+                 Scientific(record.cost, 4),
+                 Scientific(record.kappa_norm, 4),
                  record.rank < 0 ? "-" : std::to_string(record.rank),
                  Scientific(record.step_norm, 3)});
 }
@@ -66,8 +67,8 @@ std::string SolverSection(const Result& result) {
     text += BriefLine(fit) + Wrap("    ", fit.message);
   }
   if (result.best() != nullptr && result.fits.size() > 1) {
-    text += Wrap("  ", fmt::format("What follows is the result of {}.",
-                                   SolverName(result.best()->solver)));
+    text += Wrap(
+        "  ", fmt::format("What follows is the result of {}.", SolverName(result.best()->solver)));
   }
   for (const FitResult& fit : result.fits) {
     if (fit.trace.empty()) continue;

@@ -15,8 +15,11 @@ std::string Title(const Result& result) {
   const int left = kReportWidth - CountCharacters(program) - 2;
   const std::string title = Clip("Kinematic calibration: " + result.problem, left);
   const int gap = kReportWidth - CountCharacters(title) - CountCharacters(program);
-  return fmt::format("{}{}{}\n{}\n\n", title, std::string(static_cast<std::size_t>(gap), ' '),
-                     program, std::string(kReportWidth, '='));
+  return fmt::format("{}{}{}\n{}\n\n",
+                     title,
+                     std::string(static_cast<std::size_t>(gap), ' '),
+                     program,
+                     std::string(kReportWidth, '='));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ std::string TextReport(const ProblemSpec& spec, const Result& result);
 /// One line per problem, for several problems in one call.
 struct SummaryRow {
   std::string problem;
-  std::string status;  // "ok", "diverged", "input error", ...
+  std::string status;              // "ok", "diverged", "input error", ...
   const Result* result = nullptr;  // null when there is none
 };
 std::string SummaryTable(const std::vector<SummaryRow>& rows);

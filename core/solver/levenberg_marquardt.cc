@@ -12,6 +12,9 @@ namespace {
 // equations then lose digits that no recording has.
 constexpr int kLargestDenseQr = 200000;
 
+// Share of the best seen parameter's effect below which a column is rounding.
+constexpr double kBlind = 1e-12;
+
 ceres::Solver::Options CeresOptions(const SolverOptions& options, const EstimationProblem& problem) {
   ceres::Solver::Options ceres_options;
   ceres_options.minimizer_type = ceres::TRUST_REGION;
@@ -25,10 +28,25 @@ ceres::Solver::Options CeresOptions(const SolverOptions& options, const Estimati
   ceres_options.function_tolerance = 1e-16;
   ceres_options.gradient_tolerance = 1e-18;
   ceres_options.parameter_tolerance = 1e-13;
-  ceres_options.initial_trust_region_radius = 1e10;
+  ceres_options.initial_trust_region_radius = 1e6;
   ceres_options.update_state_every_iteration = true;
   ceres_options.logging_type = ceres::SILENT;
   return ceres_options;
+}
+
+/// Parameters whose column is rounding only. Damping scales with the column, so that such a
+/// parameter would be moved at random and far; held constant it stays where it starts.
+std::vector<double*> BlindBlocks(EstimationProblem* problem) {
+  Linearization linearization;
+  std::vector<double*> blind;
+  if (!Linearize(problem, &linearization)) return blind;
+  const Eigen::VectorXd seen =
+      linearization.R.colwise().norm().transpose().cwiseProduct(problem->scales.tolerance);
+  const std::vector<double*> blocks = problem->blocks();
+  for (Eigen::Index k = 0; k < seen.size(); ++k) {
+    if (seen[k] <= kBlind * seen.maxCoeff()) blind.push_back(blocks[static_cast<std::size_t>(k)]);
+  }
+  return blind;
 }
 
 void Interpret(const SolverOptions& options,
@@ -62,6 +80,9 @@ void LevenbergMarquardt::DoSolve(const SolverOptions& options,
   const std::unique_ptr<EstimationProblem> probe = factory();
   TraceCallback callback(
       probe.get(), &problem->state, options.truncation, options.kappa, options.progress);
+  for (double* const block : BlindBlocks(problem)) {
+    problem->problem->SetParameterBlockConstant(block);
+  }
   ceres::Solver::Options ceres_options = CeresOptions(options, *problem);
   ceres_options.callbacks.push_back(&callback);
   ceres::Solver::Summary ceres_summary;

@@ -11,6 +11,10 @@
 namespace dhcal {
 namespace {
 
+// Gauss-Newton may end a little above a start that was already good (a robust loss, a direction
+// that the truncation dropped on the way).
+constexpr double kHigherCost = 1.05;
+
 /// Index of a correction beyond its limit (or not a number), or -1.
 int FirstBeyondLimit(const Eigen::VectorXd& state, const Eigen::VectorXd& limit) {
   for (Eigen::Index k = 0; k < state.size(); ++k) {
@@ -26,10 +30,11 @@ void CheckForDivergence(const UnknownScales& scales, SolverSummary* summary) {
   if (beyond >= 0) {
     summary->termination = Termination::kDiverged;
     summary->message = fmt::format(
-        "Diverged: a correction reached {:.3g}, where more than {:g} cannot be a calibration error. "
-        "The truncation keeps directions that the noise determines.",
+        "Diverged: a correction reached {:.3g} (rad or m), where more than {:g} cannot be a "
+        "calibration error. Either directions were kept that only the noise determines, or the "
+        "nominal robot is not the one that was recorded.",
         summary->state[beyond], scales.limit[beyond]);
-  } else if (!(summary->final_cost <= summary->initial_cost * (1 + 1e-9) + 1e-9)) {
+  } else if (!(summary->final_cost <= kHigherCost * summary->initial_cost + 1e-9)) {
     summary->termination = Termination::kDiverged;
     summary->message = fmt::format("Diverged: the cost rose from {:.6g} to {:.6g}.",
                                    summary->initial_cost, summary->final_cost);

@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Series,
                          Ur10,
                          ::testing::Values(Published{"ur10_ipa_a", 0.838, 0.439, 1.14},
                                            Published{"ur10_ipa_b", 1.085, 0.441, 2.02}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace dhcal

@@ -31,9 +31,9 @@ Matrix4<T> StandardRow(const T& theta, const T& d, const T& a, const T& alpha) {
   using std::sin;
   const T ct = cos(theta), st = sin(theta), ca = cos(alpha), sa = sin(alpha);
   Matrix4<T> A;
-  A << ct, -st * ca, st * sa, a * ct,   //
-      st, ct * ca, -ct * sa, a * st,    //
-      T(0), sa, ca, d,                  //
+  A << ct, -st * ca, st * sa, a * ct,  //
+      st, ct * ca, -ct * sa, a * st,   //
+      T(0), sa, ca, d,                 //
       T(0), T(0), T(0), T(1);
   return A;
 }
@@ -46,9 +46,9 @@ Matrix4<T> ModifiedRow(const T& theta, const T& d, const T& a, const T& alpha) {
   using std::sin;
   const T ct = cos(theta), st = sin(theta), ca = cos(alpha), sa = sin(alpha);
   Matrix4<T> A;
-  A << ct, -st, T(0), a,                //
-      st * ca, ct * ca, -sa, -d * sa,   //
-      st * sa, ct * sa, ca, d * ca,     //
+  A << ct, -st, T(0), a,               //
+      st * ca, ct * ca, -sa, -d * sa,  //
+      st * sa, ct * sa, ca, d * ca,    //
       T(0), T(0), T(0), T(1);
   return A;
 }
@@ -60,9 +60,9 @@ Matrix4<T> TurnAboutY(const T& beta) {
   using std::sin;
   const T c = cos(beta), s = sin(beta);
   Matrix4<T> A;
-  A << c, T(0), s, T(0),         //
-      T(0), T(1), T(0), T(0),    //
-      -s, T(0), c, T(0),         //
+  A << c, T(0), s, T(0),       //
+      T(0), T(1), T(0), T(0),  //
+      -s, T(0), c, T(0),       //
       T(0), T(0), T(0), T(1);
   return A;
 }

@@ -30,7 +30,8 @@ class MatrixNearMatcher {
     Eigen::Index row = 0, col = 0;
     const double worst = Worst(actual, &row, &col);
     if (worst <= tolerance_) return true;
-    *listener << "which is\n" << Print(actual) << "\nand differs most at (" << row << ", " << col
+    *listener << "which is\n"
+              << Print(actual) << "\nand differs most at (" << row << ", " << col
               << "): " << testing::PrintToString(actual(row, col)) << " instead of "
               << testing::PrintToString(expected_(row, col)) << ", |difference| = " << worst
               << " > tolerance " << tolerance_;

@@ -30,7 +30,8 @@ std::vector<Eigen::Vector3d> TruePoints(const ProblemSpec& spec, const Eigen::Ma
   const Eigen::VectorXd truth = ErrorSlots(spec.robot, *spec.simulate);
   std::vector<Eigen::Vector3d> points;
   for (Eigen::Index k = 0; k < q.rows(); ++k) {
-    points.push_back(IndependentPosition(spec.robot, q.row(k).transpose(), truth));
+    points.push_back(independent::ForwardKinematics<double>(spec.robot, q.row(k).transpose(), truth)
+                         .block<3, 1>(0, 3));
   }
   return points;
 }

@@ -1,7 +1,9 @@
 #include "tests/support/robots.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 #include "core/base/units.h"
 
@@ -141,18 +143,22 @@ std::vector<TestRobot> TestRobots() {
                                         {"elbow", Degrees({20, 35, -50, 0, 0, 60, 45})},
                                         {"wrist", Degrees({20, 35, -50, -70, 25, 0, 45})}};
   const Eigen::Vector4d scara_home(0.4, 0.9, 0.1, -0.3), scara_stretched(0.4, 0, -0.1, 0.2);
-  const std::vector<NamedPose> scara = {{"zero", Eigen::Vector4d::Zero()},
-                                        {"home", scara_home},
-                                        {"elbow", scara_stretched}};
+  const std::vector<NamedPose> scara = {
+      {"zero", Eigen::Vector4d::Zero()}, {"home", scara_home}, {"elbow", scara_stretched}};
+  // Modified rows put axes 2 and 4 on one line, whatever the pose.
+  std::vector<NamedPose> scara_modified = scara;
+  for (NamedPose& pose : scara_modified) pose.singular = true;
   return {{Kr15(), Kr15Poses()},
           {Kr15Modified(), Kr15Poses()},
           {Ur10(), ur10},
           {Panda(), panda},
           {Scara(), scara},
-          {ScaraModified(), scara}};
+          {ScaraModified(), scara_modified}};
 }
 
-std::ostream& operator<<(std::ostream& os, const TestRobot& robot) { return os << robot.model.name; }
+std::ostream& operator<<(std::ostream& os, const TestRobot& robot) {
+  return os << robot.model.name;
+}
 
 Eigen::VectorXd RandomJoints(const RobotModel& robot, Rng* rng) {
   Eigen::VectorXd q(robot.num_joints());

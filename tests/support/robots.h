@@ -20,8 +20,8 @@ RobotModel Kr15();          // KUKA KR 15/2, standard rows: problems/kr15.yaml
 RobotModel Kr15Modified();  // the same robot in modified (Craig's) rows
 RobotModel Ur10();          // Universal Robots UR10: problems/ur10_ipa_a.yaml
 RobotModel Panda();         // Franka Emika Panda, seven joints, modified rows as its maker prints
-RobotModel Scara();         // two turning joints, a sliding one, a wrist; signs -1 and a Hayati beta
-RobotModel ScaraModified(); // those rows read as modified ones
+RobotModel Scara();  // two turning joints, a sliding one, a wrist; signs -1 and a Hayati beta
+RobotModel ScaraModified();  // those rows read as modified ones
 
 /// Base and tool at the identity.
 RobotModel WithPlainEnds(RobotModel robot);

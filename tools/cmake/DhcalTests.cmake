@@ -7,6 +7,9 @@ include(GoogleTest)
 
 dhcal_library(dhcal_test_support FOLDER tests/support DEPENDS dhcal_tools_support GTest::gmock
               GTest::gtest)
+target_compile_definitions(
+  dhcal_test_support PUBLIC DHCAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                            DHCAL_PROGRAM="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/ceres_dhcal")
 
 # dhcal_discover(<target> <prefix> <gtest filter> [<property> <value>]...)
 function(dhcal_discover target prefix filter)
@@ -29,10 +32,6 @@ function(dhcal_tests layer)
   add_executable(${target} ${sources})
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")
   target_link_libraries(${target} PRIVATE dhcal_test_support GTest::gmock_main dhcal_warnings)
-  target_compile_definitions(
-    ${target}
-    PRIVATE DHCAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-            DHCAL_PROGRAM="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/ceres_dhcal")
   dhcal_discover(${target} ${layer} "-*Slow*" TIMEOUT 300)
   dhcal_discover(${target} ${layer} "*Slow*" TIMEOUT 3600 LABELS slow)
 endfunction()
@@ -40,3 +39,8 @@ endfunction()
 foreach(layer IN ITEMS core residuals problems tools)
   dhcal_tests(${layer})
 endforeach()
+
+# The checks of the source itself that are quick; format and clang-tidy: tools/test.sh.
+add_test(NAME tools/layers COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tools/check_layers.py")
+add_test(NAME tools/layers_self_test
+         COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/check_layers_test.py")

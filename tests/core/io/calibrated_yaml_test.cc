@@ -149,8 +149,9 @@ TEST(CalibratedYaml, WritesUnitsAtEachNumberAndNoneElsewhere) {
   const ProblemSpec spec = ReadText(folder, "problem.yaml", kProblem);
   const std::string text = CalibratedYaml(spec, spec.robot, "recording.csv");
   EXPECT_THAT(text, StartsWith("# Made by ceres_dhcal from problem.yaml:"));
-  EXPECT_THAT(text, HasSubstr("{name: turn, type: revolute, sign: -1, theta_deg: 28.64788975654116, "
-                              "d_m: 0.1, a_m: 0.3, alpha_deg: 90}"));
+  EXPECT_THAT(text,
+              HasSubstr("{name: turn, type: revolute, sign: -1, theta_deg: 28.64788975654116, "
+                        "d_m: 0.1, a_m: 0.3, alpha_deg: 90}"));
   EXPECT_THAT(text, AllOf(Not(HasSubstr("units")), Not(HasSubstr("beta"))));
 }
 

@@ -101,13 +101,21 @@ inline std::vector<ParameterResult> ExampleParameters() {
       parameters.push_back(ExampleParameter(group + std::to_string(joint), unit, idx));
     }
   }
-  Doubt(Verdict::kUnobservable, {}, "The measured point lies on this axis, so no reading sees it.",
+  Doubt(Verdict::kUnobservable,
+        {},
+        "The measured point lies on this axis, so no reading sees it.",
         &parameters[5]);
-  Doubt(Verdict::kConfounded, {"d3"}, "Axes 2 and 3 are parallel: only d2 + d3 is determined.",
+  Doubt(Verdict::kConfounded,
+        {"d3"},
+        "Axes 2 and 3 are parallel: only d2 + d3 is determined.",
         &parameters[19]);
-  Doubt(Verdict::kConfounded, {"d2"}, "Axes 2 and 3 are parallel: only d2 + d3 is determined.",
+  Doubt(Verdict::kConfounded,
+        {"d2"},
+        "Axes 2 and 3 are parallel: only d2 + d3 is determined.",
         &parameters[20]);
-  Doubt(Verdict::kWeak, {}, "Its uncertainty is a third of what manufacture leaves open.",
+  Doubt(Verdict::kWeak,
+        {},
+        "Its uncertainty is a third of what manufacture leaves open.",
         &parameters[16]);
   ParameterResult& fixed = parameters[11];
   fixed.verdict = Verdict::kFixed;
@@ -121,11 +129,13 @@ inline FitResult ExampleFit(SolverMethod solver) {
   FitResult fit;
   fit.solver = solver;
   fit.termination = Termination::kSmallChange;
-  fit.message = "Step 2.1e-09 and relative cost change 3.4e-13 are below their tolerances 1e-08 "
-                "and 1e-10.";
+  fit.message =
+      "Step 2.1e-09 and relative cost change 3.4e-13 are below their tolerances 1e-08 "
+      "and 1e-10.";
   fit.usable = fit.converged = true;
   fit.iterations = solver == SolverMethod::kSvdGaussNewton ? 3 : 5;
   fit.rank = 21;
+  fit.rank_numerical = 22;
   fit.columns = 23;
   fit.kappa_norm = 1.9e-5;
   fit.cost = 17.25;
@@ -137,16 +147,17 @@ inline FitResult ExampleFit(SolverMethod solver) {
   for (int i = 0; i < 23; ++i) fit.singular_values.push_back(4.2e4 * std::pow(10.0, -0.31 * i));
   fit.singular_values[21] = 2.5e-4;
   fit.singular_values[22] = 3.1e-13;
-  fit.singular_values_of = "the whitened Jacobian, columns in units of their tolerances";
+  fit.singular_values_of = "noise rule: columns in tolerances, rows in noise, cut at 1";
   fit.truncation_cut = 1.0;
   fit.condition_number = 1.5e6;
   fit.observability = {0.41, 2.3e-5, 1.1e-2, 2.4e-4, 9.9e-2};
   for (int i = 1; i <= fit.iterations; ++i) {
-    fit.trace.push_back({i, 17.25 + std::pow(10.0, 4 - 3 * i), 1.9e-5, 21, std::pow(10.0, 2 - 3 * i)});
+    fit.trace.push_back(
+        {i, 17.25 + std::pow(10.0, 4 - 3 * i), 1.9e-5, 21, std::pow(10.0, 2 - 3 * i)});
   }
   fit.parameters = ExampleParameters();
   fit.null_space = {
-      {{{"theta6", 1.0}}, "The measured point lies on axis 6, so no reading sees theta6."},
+      {{{"theta6", 1.0}}, "The measured point lies on this axis, so no reading sees it."},
       {{{"d2", 1.0}, {"d3", -1.0}}, "Axes 2 and 3 are parallel: only d2 + d3 is determined."}};
   fit.covariance_check = "Sigmas from ceres::Covariance (SuiteSparse QR) agree to 1.2e-09.";
   fit.covariance_difference = 1.2e-9;
@@ -189,8 +200,12 @@ inline Result ExampleResult() {
     if (parameter.verdict == Verdict::kFixed) continue;
     const bool null = parameter.verdict == Verdict::kConfounded;
     const double hidden = null ? 4e-5 : 0.0;
-    result.comparison.push_back({parameter.name, parameter.unit, parameter.correction,
-                                 parameter.correction + hidden + 1e-12, 1e-12, hidden});
+    result.comparison.push_back({parameter.name,
+                                 parameter.unit,
+                                 parameter.correction,
+                                 parameter.correction + hidden + 1e-12,
+                                 1e-12,
+                                 hidden});
   }
   result.nominal = {1.5e-3, 2.6e-3, 4.4e-3};
   result.base_and_tool_only = Baseline{4.1e-4, 7.1e-4, 1.3e-3};

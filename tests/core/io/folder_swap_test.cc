@@ -1,9 +1,8 @@
 #include "core/io/folder_swap.h"
 
+#include <string>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -25,8 +24,8 @@ bool Replace(const std::filesystem::path& folder,
              const std::string& content,
              SwapMethod method,
              Diagnostics* diagnostics) {
-  return ReplaceFolder(folder, {{"one", content}, {"two", content}}, kOwnNames, method,
-                       diagnostics);
+  return ReplaceFolder(
+      folder, {{"one", content}, {"two", content}}, kOwnNames, method, diagnostics);
 }
 
 /// The number of a process that has ended.
@@ -90,8 +89,8 @@ TEST(ReplaceFolder, CleansWhatAKilledProcessLeft) {
   Diagnostics diagnostics;
   ASSERT_TRUE(Replace(parent.path() / "out", "new", SwapMethod::kExchange, &diagnostics));
   EXPECT_THAT(NamesIn(parent.path()),
-              testing::UnorderedElementsAre("out", ".out.elsewhere.1.partial",
-                                            LeftoverName(::getppid(), ".partial")));
+              testing::UnorderedElementsAre(
+                  "out", ".out.elsewhere.1.partial", LeftoverName(::getppid(), ".partial")));
 }
 
 TEST(ReplaceFolder, BringsTheOldFolderBackWhenAKillTookItAway) {
@@ -99,8 +98,11 @@ TEST(ReplaceFolder, BringsTheOldFolderBackWhenAKillTookItAway) {
   MakeFolder(parent.path() / LeftoverName(DeadProcess(), ".old"), "the only copy");
   Diagnostics diagnostics;
   // The new content cannot be written, so the old must be there afterwards.
-  EXPECT_FALSE(ReplaceFolder(parent.path() / "out", {{"no/such/folder", "x"}}, kOwnNames,
-                             SwapMethod::kExchange, &diagnostics));
+  EXPECT_FALSE(ReplaceFolder(parent.path() / "out",
+                             {{"no/such/folder", "x"}},
+                             kOwnNames,
+                             SwapMethod::kExchange,
+                             &diagnostics));
   EXPECT_EQ(ReadFile(parent.path() / "out" / "one"), "the only copy");
   EXPECT_THAT(NamesIn(parent.path()), ElementsAre("out"));
 }
@@ -110,8 +112,11 @@ TEST(ReplaceFolder, LeavesTheOldFolderWhenTheNewCannotBeWritten) {
   const std::filesystem::path out = parent.path() / "out";
   MakeFolder(out, "old");
   Diagnostics diagnostics;
-  EXPECT_FALSE(ReplaceFolder(out, {{"one", "new"}, {std::string(300, 'n'), "x"}}, kOwnNames,
-                             SwapMethod::kExchange, &diagnostics));
+  EXPECT_FALSE(ReplaceFolder(out,
+                             {{"one", "new"}, {std::string(300, 'n'), "x"}},
+                             kOwnNames,
+                             SwapMethod::kExchange,
+                             &diagnostics));
   EXPECT_THAT(diagnostics.ToString(), HasSubstr("cannot be written: File name too long"));
   EXPECT_EQ(ReadFile(out / "one"), "old");
   EXPECT_THAT(NamesIn(parent.path()), ElementsAre("out"));
@@ -121,8 +126,7 @@ TEST(ReplaceFolder, SaysWhyAFolderCannotBeMade) {
   const TempFolder parent;
   WriteFile(parent.path() / "file", "");
   Diagnostics diagnostics;
-  EXPECT_FALSE(
-      Replace(parent.path() / "file" / "out", "new", SwapMethod::kExchange, &diagnostics));
+  EXPECT_FALSE(Replace(parent.path() / "file" / "out", "new", SwapMethod::kExchange, &diagnostics));
   EXPECT_THAT(diagnostics.ToString(), HasSubstr("Not a directory"));
 }
 

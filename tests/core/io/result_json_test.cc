@@ -30,38 +30,86 @@ TEST(ResultToJson, HasTheKeysOfSchemaOne) {
   const json root = Parsed(ExampleResult());
   EXPECT_EQ(root["schema"], 1);
   EXPECT_THAT(Keys(root),
-              UnorderedElementsAre("schema", "problem", "program_version", "kind", "simulated",
-                                   "rows", "rows_test", "num_poses", "noise_sigma_m",
-                                   "noise_source", "best_fit", "fits", "comparison", "baseline",
-                                   "validation", "notes"));
+              UnorderedElementsAre("schema",
+                                   "problem",
+                                   "program_version",
+                                   "kind",
+                                   "simulated",
+                                   "rows",
+                                   "rows_test",
+                                   "num_poses",
+                                   "noise_sigma_m",
+                                   "noise_source",
+                                   "best_fit",
+                                   "fits",
+                                   "comparison",
+                                   "baseline",
+                                   "validation",
+                                   "notes"));
   EXPECT_THAT(Keys(root["baseline"]), UnorderedElementsAre("nominal", "base_and_tool_only"));
   EXPECT_THAT(Keys(root["baseline"]["nominal"]),
               UnorderedElementsAre("rms_m", "rms_point_m", "max_point_m"));
   EXPECT_THAT(Keys(root["validation"]),
-              UnorderedElementsAre("method", "rows", "rms_train_m", "rms_test_m",
-                                   "rms_point_test_m", "max_point_test_m", "noise_sigma_m"));
+              UnorderedElementsAre("method",
+                                   "rows",
+                                   "rms_train_m",
+                                   "rms_test_m",
+                                   "rms_point_test_m",
+                                   "max_point_test_m",
+                                   "noise_sigma_m"));
   EXPECT_THAT(Keys(root["comparison"]), UnorderedElementsAre("parameters"));
   EXPECT_THAT(Keys(root["comparison"]["parameters"][0]),
-              UnorderedElementsAre("name", "unit", "svd_gauss_newton", "levenberg_marquardt",
-                                   "difference", "in_null_space"));
+              UnorderedElementsAre("name",
+                                   "unit",
+                                   "svd_gauss_newton",
+                                   "levenberg_marquardt",
+                                   "difference",
+                                   "in_null_space"));
 }
 
 TEST(ResultToJson, HasTheKeysOfAFit) {
   const json fit = Parsed(ExampleResult())["fits"][0];
   EXPECT_THAT(Keys(fit),
-              UnorderedElementsAre("solver", "converged", "usable", "termination", "message",
-                                   "iterations", "rank", "columns", "kappa_norm", "cost",
-                                   "chi2_reduced", "seconds", "rms_m", "rms_point_m",
-                                   "max_point_m", "singular_values", "singular_values_of",
-                                   "truncation_cut", "condition_number", "observability", "trace",
-                                   "parameters", "null_space", "covariance_check",
+              UnorderedElementsAre("solver",
+                                   "converged",
+                                   "usable",
+                                   "termination",
+                                   "message",
+                                   "iterations",
+                                   "rank",
+                                   "rank_numerical",
+                                   "columns",
+                                   "kappa_norm",
+                                   "cost",
+                                   "chi2_reduced",
+                                   "seconds",
+                                   "rms_m",
+                                   "rms_point_m",
+                                   "max_point_m",
+                                   "singular_values",
+                                   "singular_values_of",
+                                   "truncation_cut",
+                                   "condition_number",
+                                   "observability",
+                                   "trace",
+                                   "parameters",
+                                   "null_space",
+                                   "covariance_check",
                                    "covariance_difference"));
   EXPECT_THAT(Keys(fit["observability"]), UnorderedElementsAre("O1", "O2", "O3", "O4", "O5"));
   EXPECT_THAT(Keys(fit["trace"][0]),
               UnorderedElementsAre("iteration", "cost", "kappa_norm", "rank", "step_norm"));
   EXPECT_THAT(Keys(fit["parameters"][0]),
-              UnorderedElementsAre("name", "unit", "nominal", "correction", "value", "sigma",
-                                   "ci95", "verdict", "confounded_with", "explanation"));
+              UnorderedElementsAre("name",
+                                   "unit",
+                                   "nominal",
+                                   "correction",
+                                   "value",
+                                   "sigma",
+                                   "ci95",
+                                   "verdict",
+                                   "confounded_with",
+                                   "explanation"));
   EXPECT_THAT(Keys(fit["null_space"][0]), UnorderedElementsAre("direction", "explanation"));
   EXPECT_THAT(Keys(fit["null_space"][0]["direction"][0]), UnorderedElementsAre("name", "weight"));
 }
@@ -84,8 +132,15 @@ TEST(ResultToJson, GivesNumbersBackToTheLastBit) {
 
 TEST(ResultToJson, LeavesOutWhatWasNotComputed) {
   const json root = Parsed(Result());
-  EXPECT_THAT(Keys(root), UnorderedElementsAre("schema", "problem", "program_version", "kind",
-                                               "simulated", "fits", "baseline", "notes"));
+  EXPECT_THAT(Keys(root),
+              UnorderedElementsAre("schema",
+                                   "problem",
+                                   "program_version",
+                                   "kind",
+                                   "simulated",
+                                   "fits",
+                                   "baseline",
+                                   "notes"));
   const json parameter = Parsed(ExampleResult())["fits"][0]["parameters"][11];
   EXPECT_EQ(parameter["verdict"], "fixed");
   EXPECT_FALSE(parameter.contains("sigma"));

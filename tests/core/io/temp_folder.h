@@ -2,13 +2,12 @@
 #ifndef DHCAL_TESTS_CORE_IO_TEMP_FOLDER_H_
 #define DHCAL_TESTS_CORE_IO_TEMP_FOLDER_H_
 
-#include <stdlib.h>
-
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
 #include <stdexcept>
+#include <stdlib.h>
 #include <string>
 
 #include <gtest/gtest.h>

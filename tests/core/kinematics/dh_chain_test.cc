@@ -137,10 +137,11 @@ INSTANTIATE_TEST_SUITE_P(RobotsAndPerturbations,
                          DhChainLaws,
                          testing::Combine(testing::ValuesIn(TestRobots()),
                                           testing::Values(0.0, 1e-8, 0.3)),
-                         [](const auto& info) {
-                           const double size = std::get<1>(info.param);
-                           return std::get<0>(info.param).model.name +
-                                  (size == 0 ? "_nominal" : size < 0.1 ? "_tiny" : "_random");
+                         [](const auto& test) {
+                           const double size = std::get<1>(test.param);
+                           return std::get<0>(test.param).model.name + (size == 0    ? "_nominal"
+                                                                        : size < 0.1 ? "_tiny"
+                                                                                     : "_random");
                          });
 
 class TestRobotPoses : public testing::TestWithParam<TestRobot> {};
@@ -169,7 +170,7 @@ TEST_P(TestRobotPoses, AreSingularWhereTheySay) {
 INSTANTIATE_TEST_SUITE_P(Robots,
                          TestRobotPoses,
                          testing::ValuesIn(TestRobots()),
-                         [](const auto& info) { return info.param.model.name; });
+                         [](const auto& test) { return test.param.model.name; });
 
 }  // namespace
 }  // namespace dhcal

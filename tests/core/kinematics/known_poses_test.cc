@@ -93,7 +93,8 @@ TEST(ModifiedRows, DescribeTheSameRobotAsStandardOnes) {
   for (int i = 0; i < 10; ++i) {
     const VectorXd q = RandomJoints(Kr15(), &rng);
     const EndFrames ends{Kr15().X_WB, Kr15().X_TQ};
-    const PoseWithDerivatives standard = At(Kr15(), q, ends), modified = At(Kr15Modified(), q, ends);
+    const PoseWithDerivatives standard = At(Kr15(), q, ends),
+                              modified = At(Kr15Modified(), q, ends);
     EXPECT_THAT(modified.p_WQ, MatrixNear(standard.p_WQ, 1e-14));
     EXPECT_THAT(modified.R_WQ, MatrixNear(standard.R_WQ, 1e-14));
   }

@@ -30,8 +30,9 @@ Vector3d RandomAxis(Rng* rng) {
 /// Zero, tiny, both sides of the switch from series to closed form at 0.01, ordinary, at pi and
 /// around it, beyond.
 std::vector<double> Angles() {
-  return {0.0, 1e-300, 1e-16, 1e-12, 1e-9, 1e-8, 1e-5, 1e-3, 0.01 - 1e-12, 0.01 + 1e-12, 0.02,
-          0.3, 1.0, 2.0, kPi - 1e-3, kPi - 1e-8, kPi - 1e-12, kPi, kPi + 1e-8, 4.0, 6.0};
+  return {0.0,        1e-300,       1e-16,        1e-12, 1e-9,       1e-8, 1e-5,
+          1e-3,       0.01 - 1e-12, 0.01 + 1e-12, 0.02,  0.3,        1.0,  2.0,
+          kPi - 1e-3, kPi - 1e-8,   kPi - 1e-12,  kPi,   kPi + 1e-8, 4.0,  6.0};
 }
 
 Matrix3d SeriesExp(const Vector3d& r) {
@@ -158,8 +159,11 @@ TEST(LogSO3, UndoesExpBelowPi) {
 
 TEST(LogSO3, AtPiGivesOneOfTheTwoRotationVectors) {
   Rng rng(7);
-  std::vector<Vector3d> axes = {Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ(),
-                                Vector3d(1, 1, 0).normalized(), Vector3d(-1, 0, 1).normalized()};
+  std::vector<Vector3d> axes = {Vector3d::UnitX(),
+                                Vector3d::UnitY(),
+                                Vector3d::UnitZ(),
+                                Vector3d(1, 1, 0).normalized(),
+                                Vector3d(-1, 0, 1).normalized()};
   for (int i = 0; i < 20; ++i) axes.push_back(RandomAxis(&rng));
   for (const Vector3d& axis : axes) {
     const Matrix3d R = 2.0 * axis * axis.transpose() - Matrix3d::Identity();

@@ -47,7 +47,8 @@ TEST(TruncatedSvd, SolvesFullRankProblemsWhateverTheScale) {
   const MatrixXd J = RandomMatrix(9, 4, &rng);
   const VectorXd b = RandomVector(9, &rng);
   const VectorXd expected = J.householderQr().solve(b);
-  for (const Eigen::Vector4d& scale : {Eigen::Vector4d(1, 1, 1, 1), Eigen::Vector4d(1e-3, 5, 0.2, 1)}) {
+  for (const Eigen::Vector4d& scale :
+       {Eigen::Vector4d(1, 1, 1, 1), Eigen::Vector4d(1e-3, 5, 0.2, 1)}) {
     const TruncatedSvd svd = DecomposeScaled(J, scale);
     EXPECT_THAT(svd.Solve(b), MatrixNear(expected, 1e-12));  // condition of J diag(scale): 1e4
     EXPECT_NEAR(svd.ResidualNorm(b), (J * expected - b).norm(), kRounding);

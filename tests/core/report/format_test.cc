@@ -56,8 +56,9 @@ TEST(Clip, KeepsBothEnds) {
 
 TEST(Wrap, IndentsTheFollowingLinesAndBreaksEndlessWords) {
   const std::string text = Wrap("  - ", "short " + std::string(200, 'w'));
-  EXPECT_EQ(text, "  - short\n    " + std::string(96, 'w') + "\n    " + std::string(96, 'w') +
-                      "\n    " + std::string(8, 'w') + "\n");
+  EXPECT_EQ(text,
+            "  - short\n    " + std::string(96, 'w') + "\n    " + std::string(96, 'w') + "\n    " +
+                std::string(8, 'w') + "\n");
   EXPECT_EQ(Wrap("  label ", ""), "  label\n");
 }
 

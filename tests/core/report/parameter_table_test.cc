@@ -36,13 +36,13 @@ ParameterResult Identified(const std::string& name, Unit unit, double correction
 }
 
 TEST(ParameterSection, PrintsTableThreeOfThePaperToItsDigits) {
-  const std::string text = ParameterSection(WithParameters(
-      {Identified("theta1", Unit::kRadian, 870e-6, 2e-16),
-       Identified("theta5", Unit::kRadian, -806.99e-6, 3e-13),
-       Identified("alpha5", Unit::kRadian, 463.89e-6, kNotSet),
-       Identified("a5", Unit::kMetre, 62.98e-6, 3e-13),
-       Identified("d2", Unit::kMetre, -68.81e-6, 3.1e-4)},
-      2e-16));
+  const std::string text =
+      ParameterSection(WithParameters({Identified("theta1", Unit::kRadian, 870e-6, 2e-16),
+                                       Identified("theta5", Unit::kRadian, -806.99e-6, 3e-13),
+                                       Identified("alpha5", Unit::kRadian, 463.89e-6, kNotSet),
+                                       Identified("a5", Unit::kMetre, 62.98e-6, 3e-13),
+                                       Identified("d2", Unit::kMetre, -68.81e-6, 3.1e-4)},
+                                      2e-16));
   EXPECT_THAT(text, HasSubstr("[urad]"));
   EXPECT_THAT(text, HasSubstr("[um]"));
   EXPECT_THAT(text, ContainsRegex("theta1 +[0-9.]+ +870\\.000 +2\\.0e-10"));
@@ -53,12 +53,13 @@ TEST(ParameterSection, PrintsTableThreeOfThePaperToItsDigits) {
 }
 
 TEST(ParameterSection, ShowsTwoDigitsOfSigmaAndAsManyDecimalsOfTheCorrection) {
-  const std::string text = ParameterSection(
-      WithParameters({Identified("theta1", Unit::kRadian, 0.87654e-3, 0.01234e-3),
-                      Identified("a1", Unit::kMetre, 0.98765e-3, 0.1234e-3)},
-                     2e-5));
-  EXPECT_THAT(text, ContainsRegex("theta1 +90\\.00000 +0\\.877 +0\\.012 +0\\.852 +0\\.901 "
-                                  "+90\\.05022 +identified"));
+  const std::string text =
+      ParameterSection(WithParameters({Identified("theta1", Unit::kRadian, 0.87654e-3, 0.01234e-3),
+                                       Identified("a1", Unit::kMetre, 0.98765e-3, 0.1234e-3)},
+                                      2e-5));
+  EXPECT_THAT(text,
+              ContainsRegex("theta1 +90\\.00000 +0\\.877 +0\\.012 +0\\.852 +0\\.901 "
+                            "+90\\.05022 +identified"));
   EXPECT_THAT(text, ContainsRegex("a1 +650\\.00 +0\\.99 +0\\.12 +0\\.74 +1\\.23 +650\\.99"));
 }
 

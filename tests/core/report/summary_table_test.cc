@@ -16,9 +16,8 @@ using testing::ContainsRegex;
 TEST(SummaryTable, HasOneLinePerProblem) {
   const Result good = ExampleResult();
   const Result diverged = DivergedResult();
-  const std::string table = SummaryTable({{"kr15", "ok", &good},
-                                          {"broken", "input error", nullptr},
-                                          {"wild", "diverged", &diverged}});
+  const std::string table = SummaryTable(
+      {{"kr15", "ok", &good}, {"broken", "input error", nullptr}, {"wild", "diverged", &diverged}});
   EXPECT_THAT(table, ContainsRegex("problem +rows +rank +solver +steps +RMS before"));
   EXPECT_THAT(table, ContainsRegex("kr15 +10 +21/23 +SVD-GN +3 +1.500 +0.02040 +0.02000 +ok\n"));
   EXPECT_THAT(table, ContainsRegex("broken +- +- +- +- +- +- +- +input error\n"));

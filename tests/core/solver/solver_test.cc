@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(Solvers,
                          EverySolver,
                          ::testing::Values(SolverMethod::kSvdGaussNewton,
                                            SolverMethod::kLevenbergMarquardt),
-                         [](const auto& info) { return ToString(info.param); });
+                         [](const auto& test) { return ToString(test.param); });
 
 TEST(SolverOptions, NamesFieldValueAndRuleWhenInvalid) {
   SolverOptions options;

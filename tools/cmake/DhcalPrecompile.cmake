@@ -1,0 +1,35 @@
+# Precompiles what most files include: two sets, without and with GoogleTest. For the sanitizer build
+# only: a file that lacks an include compiles with this, and must fail in the release build.
+
+set(headers
+    <algorithm>
+    <cmath>
+    <functional>
+    <map>
+    <memory>
+    <optional>
+    <string>
+    <utility>
+    <vector>
+    <Eigen/Core>
+    <Eigen/Geometry>
+    <fmt/format.h>)
+
+target_precompile_headers(dhcal_core PRIVATE ${headers})
+foreach(target IN ITEMS dhcal_residuals dhcal_problems dhcal_tools_support)
+  target_precompile_headers(${target} REUSE_FROM dhcal_core)
+endforeach()
+
+if(DHCAL_BUILD_TESTS)
+  target_precompile_headers(
+    dhcal_test_support
+    PRIVATE
+    ${headers}
+    <gmock/gmock.h>
+    <gtest/gtest.h>)
+  foreach(target IN ITEMS core_tests residuals_tests problems_tests tools_tests)
+    if(TARGET ${target})
+      target_precompile_headers(${target} REUSE_FROM dhcal_test_support)
+    endif()
+  endforeach()
+endif()
