@@ -21,8 +21,8 @@ namespace {
 struct CachePlan {
   std::vector<Scope> scopes;
   std::vector<CacheRow> rows;
-  std::vector<int> recording_row;     // of each cache row
-  std::map<int, int> cache_row;       // recording row -> cache row
+  std::vector<int> recording_row;  // of each cache row
+  std::map<int, int> cache_row;    // recording row -> cache row
 };
 
 CachePlan PlanCache(const Calibration& c) {
@@ -33,7 +33,7 @@ CachePlan PlanCache(const Calibration& c) {
   }
   std::map<std::pair<int, int>, int> scope_of;
   for (auto& [row_idx, cache_idx] : plan.cache_row) {
-    const int run = c.recording.run(row_idx), target = c.recording.target(row_idx);
+    const int run = c.recording.run(row_idx), target = c.Target(row_idx);
     const auto [entry, is_new] =
         scope_of.try_emplace({run, target}, static_cast<int>(plan.scopes.size()));
     if (is_new) {
@@ -96,7 +96,10 @@ std::unique_ptr<ceres::LossFunction> MakeLoss(const SolverSpec& solver) {
 /// Makes the residual block of one reading.
 class BlockMaker {
  public:
-  BlockMaker(const Calibration& c, const Noise& noise, const CachePlan& plan, const PoseCache* cache)
+  BlockMaker(const Calibration& c,
+             const Noise& noise,
+             const CachePlan& plan,
+             const PoseCache* cache)
       : c_(c), noise_(noise), plan_(plan), cache_(cache) {}
 
   void UseSharedSeries(Eigen::Matrix3Xd contrast) { contrast_ = std::move(contrast); }
@@ -110,18 +113,22 @@ class BlockMaker {
       case MeasurementKind::kPosition:
         return new PositionResidual(cache_, cached, rec.p_WQ.row(row_idx), sigma);
       case MeasurementKind::kPose:
-        return new PoseResidual(cache_, cached, c_.MeasuredPose(row_idx), sigma,
-                                noise_.sigma_rotation);
+        return new PoseResidual(
+            cache_, cached, c_.MeasuredPose(row_idx), sigma, noise_.sigma_rotation);
       case MeasurementKind::kDistance:
-        return new DistanceResidual(cache_, cached, c_.Anchor(row_idx), rec.distance[row_idx], sigma);
+        return new DistanceResidual(
+            cache_, cached, c_.Anchor(row_idx), rec.distance[row_idx], sigma);
       case MeasurementKind::kAdjacentPosition:
         break;
     }
     if (contrast_.cols() > 0) {
       return new SharedAdjacentPositionResidual(cache_, cached, contrast_.col(cached));
     }
-    return new AdjacentPositionResidual(cache_, plan_.cache_row.at(reading.previous_idx), cached,
-                                        MeasuredDisplacement(rec, reading), sigma);
+    return new AdjacentPositionResidual(cache_,
+                                        plan_.cache_row.at(reading.previous_idx),
+                                        cached,
+                                        MeasuredDisplacement(rec, reading),
+                                        sigma);
   }
 
  private:
@@ -176,7 +183,10 @@ std::unique_ptr<EstimationProblem> BuildProblem(const Calibration& c,
   if (with_loss) problem->loss = MakeLoss(c.spec.solver);
 
   const CachePlan plan = PlanCache(c);
-  auto cache = std::make_unique<PoseCache>(&c.chain, plan.scopes, plan.rows, &problem->state,
+  auto cache = std::make_unique<PoseCache>(&c.chain,
+                                           plan.scopes,
+                                           plan.rows,
+                                           &problem->state,
                                            c.spec.measurement.kind == MeasurementKind::kPose);
   BlockMaker maker(c, noise, plan, cache.get());
   if (c.spec.measurement.kind == MeasurementKind::kAdjacentPosition &&

@@ -18,8 +18,19 @@ Calibration::Calibration(const ProblemSpec& problem_spec, const Recording& rows)
       readings(CollectReadings(problem_spec.measurement, rows)),
       frames(problem_spec.robot, rows) {}
 
+int Calibration::Target(int row_idx) const {
+  const auto& targets = spec.robot.targets;
+  if (targets.empty() || recording.target_idx.empty()) return 0;
+  const std::string& name =
+      recording.target_names[static_cast<std::size_t>(recording.target(row_idx))];
+  const auto found = std::find_if(
+      targets.begin(), targets.end(), [&](const auto& target) { return target.name == name; });
+  CHECK(found != targets.end()) << "target " << name << " was not checked on input";
+  return static_cast<int>(found - targets.begin());
+}
+
 Eigen::VectorXd Calibration::SlotDeltas(const Eigen::VectorXd& state, int row_idx) const {
-  const int run = recording.run(row_idx), target = recording.target(row_idx);
+  const int run = recording.run(row_idx), target = Target(row_idx);
   Eigen::VectorXd delta = Eigen::VectorXd::Zero(chain.slots().size());
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     if (!InScope(parameters[k], run, target)) continue;
@@ -35,8 +46,9 @@ double Calibration::RowSigma(int row_idx, const Noise& noise) const {
 }
 
 Eigen::Isometry3d Calibration::Pose(const Eigen::VectorXd& state, int row_idx) const {
-  return chain.Pose<double>(recording.q.row(row_idx).transpose(), SlotDeltas(state, row_idx),
-                            frames.ends(recording.run(row_idx), recording.target(row_idx)));
+  return chain.Pose<double>(recording.q.row(row_idx).transpose(),
+                            SlotDeltas(state, row_idx),
+                            frames.ends(recording.run(row_idx), Target(row_idx)));
 }
 
 Eigen::Isometry3d Calibration::MeasuredPose(int row_idx) const {
@@ -47,7 +59,8 @@ Eigen::Isometry3d Calibration::MeasuredPose(int row_idx) const {
 }
 
 Eigen::Vector3d Calibration::Anchor(int row_idx) const {
-  const auto name_idx = static_cast<std::size_t>(recording.anchor_idx[static_cast<std::size_t>(row_idx)]);
+  const auto name_idx =
+      static_cast<std::size_t>(recording.anchor_idx[static_cast<std::size_t>(row_idx)]);
   const std::string& name = recording.anchor_names[name_idx];
   const auto& anchors = spec.measurement.anchors;
   const auto found = std::find_if(

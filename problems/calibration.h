@@ -30,8 +30,10 @@ struct Calibration {
   DhChain chain;
   std::vector<Parameter> parameters;  // unknown; state k corrects parameters[k]
   Readings readings;
-  Frames frames;                      // where base and tool start (nominal, or aligned)
+  Frames frames;  // where base and tool start (nominal, or aligned)
 
+  /// Target of a row: index into spec.robot.targets, by its name; 0 without targets.
+  int Target(int row_idx) const;
   /// Slot perturbations of a row's run and target at a state.
   Eigen::VectorXd SlotDeltas(const Eigen::VectorXd& state, int row_idx) const;
   /// Standard deviation of a row's coordinates [m].

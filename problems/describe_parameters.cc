@@ -22,8 +22,9 @@ std::string Length(double value, Unit unit) {
 }
 
 bool Holds(const NullDirection& n, const std::string& name) {
-  return std::any_of(n.direction.begin(), n.direction.end(),
-                     [&](const auto& entry) { return entry.name == name; });
+  return std::any_of(n.direction.begin(), n.direction.end(), [&](const auto& entry) {
+    return entry.name == name;
+  });
 }
 
 /// The first sentence on an undetermined direction that holds the parameter, and the names of all
@@ -61,7 +62,8 @@ void Explain(const Determination& d,
     case Verdict::kWeak:
       result->explanation = fmt::format(
           "known to {} (one sigma), tolerance {}; {} of it hidden among other parameters",
-          Length(result->sigma, parameter.unit), Length(tolerance, parameter.unit),
+          Length(result->sigma, parameter.unit),
+          Length(tolerance, parameter.unit),
           Length(d.hidden * tolerance, parameter.unit));
       return;
     case Verdict::kIdentified:

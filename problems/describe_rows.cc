@@ -15,13 +15,14 @@ std::vector<double> Leverages(const Calibration& c,
                               const FitAnalysis& analysis,
                               const Eigen::VectorXd& state) {
   const TruncatedSvd& svd = analysis.identifiability.all;
-  const Eigen::MatrixXd to_unit = svd.scale.asDiagonal() * svd.kept() *
-                                  svd.s.head(svd.rank).cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd to_unit =
+      svd.scale.asDiagonal() * svd.kept() * svd.s.head(svd.rank).cwiseInverse().asDiagonal();
   const auto problem = BuildProblem(c, analysis.noise);
   problem->set_state(state);
   const int coordinates = NumCoordinates(c.spec.measurement.kind);
   std::vector<double> leverages(problem->readings.size(), 0.0);
-  ForEachChunk(problem.get(), problem->readings,
+  ForEachChunk(problem.get(),
+               problem->readings,
                [&](int first, const Eigen::VectorXd& /*r*/, const Eigen::MatrixXd& J) {
                  const Eigen::VectorXd of_row = (J * to_unit).rowwise().squaredNorm();
                  for (Eigen::Index k = 0; k < of_row.size(); ++k) {

@@ -23,8 +23,7 @@ bool DependsOnNoise(const Calibration& c, const SolverOptions& options) {
   bool priors = false;
   for (const Parameter& parameter : c.parameters) priors |= parameter.prior_sigma.has_value();
   return priors || options.truncation.rule == TruncationRule::kNoise ||
-         c.spec.measurement.kind == MeasurementKind::kPose ||
-         c.spec.solver.loss != LossKind::kNone;
+         c.spec.measurement.kind == MeasurementKind::kPose || c.spec.solver.loss != LossKind::kNone;
 }
 
 }  // namespace
@@ -45,8 +44,11 @@ Fit RunFit(const Calibration& calibration,
   SolverOptions with_progress = options;
   with_progress.progress = [&](const IterationRecord& record) {
     if (!progress) return;
-    progress(fmt::format("{} step {}: cost {:.6g}, rank {}", ToString(method), record.iteration,
-                         record.cost, record.rank));
+    progress(fmt::format("{} step {}: cost {:.6g}, rank {}",
+                         ToString(method),
+                         record.iteration,
+                         record.cost,
+                         record.rank));
   };
   Fit fit;
   fit.method = method;
@@ -70,8 +72,7 @@ Fit RunFit(const Calibration& calibration,
     if (!fit.summary.IsSolutionUsable()) break;
     const int rank = fit.summary.trace.empty() ? 0 : fit.summary.trace.back().rank;
     fit.noise_seen = NoiseFromResiduals(calibration, fit.noise, fit.summary.state, rank);
-    const bool settled =
-        !DependsOnNoise(calibration, options) || Agree(fit.noise_seen, fit.noise);
+    const bool settled = !DependsOnNoise(calibration, options) || Agree(fit.noise_seen, fit.noise);
     if (settled && with_loss == robust) break;
     if (robust) start = fit.summary.state;
     if (round + 1 < kMostNoiseRounds) fit.noise = fit.noise_seen;

@@ -81,8 +81,8 @@ FitResult DescribeFit(const Calibration& c, const Fit& fit, const FitAnalysis* a
   result.rank_numerical = identifiability.numerical_rank;
   result.condition_number = identifiability.condition_number;
   result.observability = identifiability.observability;
-  result.null_space = ExplainNullSpace(identifiability.readings, c.parameters, c.spec.robot,
-                                       c.spec.measurement.kind);
+  result.null_space = ExplainNullSpace(
+      identifiability.readings, c.parameters, c.spec.robot, c.spec.measurement.kind);
   result.parameters = DescribeParameters(c, fit.summary.state, *analysis, result.null_space);
 
   const auto problem = BuildProblem(c, analysis->noise);
@@ -98,14 +98,16 @@ std::vector<ComparedParameter> CompareFits(const Calibration& c,
                                            const Eigen::VectorXd& gauss_newton,
                                            const Eigen::VectorXd& levenberg_marquardt) {
   const TruncatedSvd& svd = identifiability.readings;
-  const Eigen::VectorXd scaled =
-      (gauss_newton - levenberg_marquardt).cwiseQuotient(svd.scale);
+  const Eigen::VectorXd scaled = (gauss_newton - levenberg_marquardt).cwiseQuotient(svd.scale);
   const Eigen::VectorXd hidden = svd.dropped() * (svd.dropped().transpose() * scaled);
   std::vector<ComparedParameter> compared;
   for (std::size_t k = 0; k < c.parameters.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    compared.push_back({c.parameters[k].name, c.parameters[k].unit, gauss_newton[i],
-                        levenberg_marquardt[i], (scaled[i] - hidden[i]) * svd.scale[i],
+    compared.push_back({c.parameters[k].name,
+                        c.parameters[k].unit,
+                        gauss_newton[i],
+                        levenberg_marquardt[i],
+                        (scaled[i] - hidden[i]) * svd.scale[i],
                         hidden[i] * svd.scale[i]});
   }
   return compared;

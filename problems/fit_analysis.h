@@ -14,14 +14,13 @@ namespace dhcal {
 /// The linear algebra at a usable fit's solution.
 struct FitAnalysis {
   Identifiability identifiability;
-  Noise noise;               // that whitens the rows
+  Noise noise;                          // that whitens the rows
   double degrees_of_freedom = kNotSet;  // of the noise estimate; infinite when given
-  int num_residuals = 0;     // readings' coordinates, without priors
-  double cost = kNotSet;     // at the solution, readings and priors
+  int num_residuals = 0;                // readings' coordinates, without priors
+  double cost = kNotSet;                // at the solution, readings and priors
 };
 
 FitAnalysis Analyse(const Calibration& calibration, const Fit& fit);
-
 
 /// A fit as the result reports it; `nominal` is the robot of the problem file. Parameters are
 /// filled only if the fit is usable.

@@ -21,7 +21,9 @@ class Frames {
   /// Ends of the chain for rows of this run and target.
   EndFrames ends(int run, int target) const { return {base(run), tool(run, target)}; }
   const Eigen::Isometry3d& base(int run) const { return bases_[BaseIndex(run)]; }
-  const Eigen::Isometry3d& tool(int run, int target) const { return tools_[ToolIndex(run, target)]; }
+  const Eigen::Isometry3d& tool(int run, int target) const {
+    return tools_[ToolIndex(run, target)];
+  }
   Eigen::Isometry3d& mutable_base(int run) { return bases_[BaseIndex(run)]; }
   Eigen::Isometry3d& mutable_tool(int run, int target) { return tools_[ToolIndex(run, target)]; }
 
@@ -30,7 +32,8 @@ class Frames {
   bool tool_per_run() const { return tool_per_run_; }
 
   /// Adds a state's corrections of base and tool to the frames.
-  void Apply(const std::vector<Parameter>& parameters, const Eigen::VectorXd& state,
+  void Apply(const std::vector<Parameter>& parameters,
+             const Eigen::VectorXd& state,
              const SlotLayout& slots);
 
   /// Writes the frames back into a robot.

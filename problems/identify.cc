@@ -32,19 +32,21 @@ Baseline BaselineOf(const Calibration& c, const Eigen::VectorXd& state) {
 std::optional<Baseline> FitFramesAlone(Calibration* c, const Progress& progress) {
   Calibration frames_only = *c;
   auto& unknowns = frames_only.parameters;
-  unknowns.erase(std::remove_if(unknowns.begin(), unknowns.end(),
+  unknowns.erase(std::remove_if(unknowns.begin(),
+                                unknowns.end(),
                                 [](const Parameter& p) { return !IsFrameParameter(p); }),
                  unknowns.end());
   if (unknowns.empty()) return std::nullopt;
   SolverOptions options = OptionsOf(c->spec.solver);
   options.truncation = Truncation();
-  const Fit fit = RunFit(frames_only, SolverMethod::kSvdGaussNewton, options,
-                         InitialNoise(frames_only), progress);
+  const Fit fit = RunFit(
+      frames_only, SolverMethod::kSvdGaussNewton, options, InitialNoise(frames_only), progress);
   if (!fit.summary.IsSolutionUsable()) return std::nullopt;
   const Baseline baseline = BaselineOf(frames_only, fit.summary.state);
   // A prior holds a parameter to the file's value: moving the start would move the prior.
-  const bool has_prior = std::any_of(unknowns.begin(), unknowns.end(),
-                                     [](const Parameter& p) { return p.prior_sigma.has_value(); });
+  const bool has_prior = std::any_of(unknowns.begin(), unknowns.end(), [](const Parameter& p) {
+    return p.prior_sigma.has_value();
+  });
   if (!has_prior) c->frames.Apply(unknowns, fit.summary.state, c->chain.slots());
   return baseline;
 }
@@ -116,8 +118,8 @@ void CheckEnoughReadings(const ProblemSpec& spec,
                          Diagnostics* diagnostics) {
   const Calibration c(spec, recording);
   const auto unknowns = c.parameters.size();
-  const std::size_t numbers = c.readings.fitted.size() *
-                              static_cast<std::size_t>(NumCoordinates(spec.measurement.kind));
+  const std::size_t numbers =
+      c.readings.fitted.size() * static_cast<std::size_t>(NumCoordinates(spec.measurement.kind));
   if (unknowns == 0) {
     diagnostics->Error(spec.parameters.where,
                        "parameters: nothing is left to estimate; name a group in 'estimate' that "
@@ -127,7 +129,9 @@ void CheckEnoughReadings(const ProblemSpec& spec,
         {recording.file, 0, 0},
         fmt::format("{} readings give {} numbers, fewer than the {} free parameters; record more "
                     "poses or estimate less",
-                    c.readings.fitted.size(), numbers, unknowns));
+                    c.readings.fitted.size(),
+                    numbers,
+                    unknowns));
   }
 }
 

@@ -33,13 +33,13 @@ WhitenedResiduals Split(const Calibration& c, const Eigen::VectorXd& residuals) 
 /// Whitened residuals of the linear model after a step.
 Eigen::VectorXd ResidualsAfter(EstimationProblem* problem, const Eigen::VectorXd& step) {
   std::vector<double> residuals;
-  ForEachChunk(problem, problem->readings,
+  ForEachChunk(problem,
+               problem->readings,
                [&](int /*first*/, const Eigen::VectorXd& r, const Eigen::MatrixXd& J) {
                  const Eigen::VectorXd after = r + J * step;
                  residuals.insert(residuals.end(), after.begin(), after.end());
                });
-  return Eigen::Map<Eigen::VectorXd>(residuals.data(),
-                                     static_cast<Eigen::Index>(residuals.size()));
+  return Eigen::Map<Eigen::VectorXd>(residuals.data(), static_cast<Eigen::Index>(residuals.size()));
 }
 
 /// Standard deviation of values that `share` of the freedom is left to.
@@ -60,8 +60,8 @@ Noise Rescale(const Calibration& c, const Noise& noise, const WhitenedResiduals&
     result.sigma = std::max(noise.sigma * Scale(r.lengths, share, robust), kFinestSigma);
   }
   if (!source.rotation_given) {
-    result.sigma_rotation = std::max(
-        noise.sigma_rotation * Scale(r.rotations, share, robust), kFinestSigmaRotation);
+    result.sigma_rotation =
+        std::max(noise.sigma_rotation * Scale(r.rotations, share, robust), kFinestSigmaRotation);
   }
   return result;
 }

@@ -31,7 +31,7 @@ void AddFrame(const SlotLayout& slots,
               int first_slot,
               ParameterGroup group,
               const std::vector<std::string>& suffixes,
-              int Parameter::* scope,
+              int Parameter::*scope,
               std::vector<Parameter>* all) {
   // No suffix: one frame for all rows.
   const std::size_t count = std::max<std::size_t>(suffixes.size(), 1);
@@ -57,8 +57,12 @@ std::vector<Parameter> AllParameters(const RobotModel& robot, const Recording& r
   }
   const std::vector<std::string> runs =
       recording.run_names.empty() ? std::vector<std::string>{"1"} : recording.run_names;
-  AddFrame(slots, slots.base(0), ParameterGroup::kBase,
-           robot.base_per_run ? runs : std::vector<std::string>(), &Parameter::run, &all);
+  AddFrame(slots,
+           slots.base(0),
+           ParameterGroup::kBase,
+           robot.base_per_run ? runs : std::vector<std::string>(),
+           &Parameter::run,
+           &all);
   std::vector<std::string> targets;
   for (const Target& target : robot.targets) targets.push_back(target.name);
   if (robot.tool_per_run) {

@@ -34,8 +34,7 @@ Readings CollectPairs(const Recording& recording) {
     // Displacements lead from row to row; of positions a blank one is skipped.
     if (!displacements && !Present(recording.p_WQ, row_idx)) continue;
     const auto before = latest.find(series);
-    if (before != latest.end() &&
-        (!displacements || Present(recording.displacement, row_idx))) {
+    if (before != latest.end() && (!displacements || Present(recording.displacement, row_idx))) {
       const bool test = recording.test(row_idx) || recording.test(before->second);
       (test ? readings.test : readings.fitted).push_back({row_idx, before->second});
     }

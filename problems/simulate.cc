@@ -87,8 +87,8 @@ class Measurer {
     for (int k = num_targets; k < recording->num_rows(); ++k) {
       const auto now = static_cast<std::size_t>(k);
       const auto before = static_cast<std::size_t>(k - num_targets);
-      recording->displacement.row(k) = X_WQ[now].translation() - X_WQ[before].translation() +
-                                       NormalVector(noise(), rng_);
+      recording->displacement.row(k) =
+          X_WQ[now].translation() - X_WQ[before].translation() + NormalVector(noise(), rng_);
     }
   }
 
@@ -109,7 +109,9 @@ class Measurer {
   Rng* rng_;
 };
 
-void Add(const Eigen::VectorXd& errors, JointSlot kind, const SlotLayout& slots,
+void Add(const Eigen::VectorXd& errors,
+         JointSlot kind,
+         const SlotLayout& slots,
          Eigen::VectorXd* delta) {
   for (int joint = 0; joint < errors.size(); ++joint) {
     (*delta)[slots.joint(joint, kind)] = errors[joint];
@@ -150,9 +152,9 @@ std::optional<Recording> SimulateRecording(const ProblemSpec& spec, Diagnostics*
     const int target = row_idx % num_targets;
     recording.q.row(row_idx) = q->row(row_idx / num_targets);
     if (!robot.targets.empty()) recording.target_idx.push_back(target);
-    const EndFrames ends{robot.X_WB, robot.targets.empty()
-                                         ? robot.X_TQ
-                                         : robot.targets[static_cast<std::size_t>(target)].X_TQ};
+    const EndFrames ends{
+        robot.X_WB,
+        robot.targets.empty() ? robot.X_TQ : robot.targets[static_cast<std::size_t>(target)].X_TQ};
     X_WQ.push_back(chain.Pose<double>(recording.q.row(row_idx).transpose(), delta, ends));
   }
   Measurer(spec, &rng).Measure(X_WQ, &recording);

@@ -34,7 +34,7 @@ Eigen::Matrix3Xd Columns(const std::vector<Eigen::Vector3d>& points) {
 Eigen::Isometry3d PoseInBase(const Calibration& c, int row_idx) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(c.chain.slots().size());
   return c.chain.FlangePose(c.recording.q.row(row_idx).transpose(), zero) *
-         c.frames.tool(c.recording.run(row_idx), c.recording.target(row_idx));
+         c.frames.tool(c.recording.run(row_idx), c.Target(row_idx));
 }
 
 void AlignBase(int run, Calibration* c) {
@@ -64,7 +64,7 @@ void AlignToolRotation(int run, int target, Calibration* c) {
   for (const Reading& reading : c->readings.fitted) {
     const int row_run = c->recording.run(reading.row_idx);
     if (c->frames.tool_per_run() && row_run != run) continue;
-    if (!c->spec.robot.targets.empty() && c->recording.target(reading.row_idx) != target) continue;
+    if (!c->spec.robot.targets.empty() && c->Target(reading.row_idx) != target) continue;
     const Eigen::Isometry3d X_WT = c->frames.base(row_run) * PoseInBase(*c, reading.row_idx) *
                                    c->frames.tool(row_run, target).inverse();
     rotations.push_back(X_WT.linear().transpose() * c->MeasuredPose(reading.row_idx).linear());

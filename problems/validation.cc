@@ -21,7 +21,8 @@ std::vector<Eigen::MatrixXd> FoldTriangles(EstimationProblem* problem, int coord
   const int num_unknowns = problem->num_unknowns();
   std::vector<Tsqr> folds(kFolds, Tsqr(num_unknowns + 1));
   const auto num_readings = static_cast<Eigen::Index>(problem->readings.size());
-  ForEachChunk(problem, problem->readings,
+  ForEachChunk(problem,
+               problem->readings,
                [&](int first, const Eigen::VectorXd& r, const Eigen::MatrixXd& J) {
                  Eigen::MatrixXd rows(J.rows(), num_unknowns + 1);
                  rows << J, -r;
@@ -59,7 +60,8 @@ double SquaresAfterStep(const std::vector<Eigen::MatrixXd>& folds,
 
 Eigen::MatrixXd PriorRows(EstimationProblem* problem) {
   Tsqr tsqr(problem->num_unknowns() + 1);
-  ForEachChunk(problem, problem->priors,
+  ForEachChunk(problem,
+               problem->priors,
                [&](int /*first*/, const Eigen::VectorXd& r, const Eigen::MatrixXd& J) {
                  Eigen::MatrixXd rows(J.rows(), J.cols() + 1);
                  rows << J, -r;

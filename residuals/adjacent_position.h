@@ -48,9 +48,8 @@ class SharedAdjacentPositionResidual final : public CachedResidual {
   SharedAdjacentPositionResidual(const PoseCache* cache,
                                  int row_idx,
                                  const Eigen::Vector3d& contrast)
-      : CachedResidual(cache,
-                       row_idx,
-                       Eigen::Vector3d::Constant(cache->means().contrast_sigma(row_idx))),
+      : CachedResidual(
+            cache, row_idx, Eigen::Vector3d::Constant(cache->means().contrast_sigma(row_idx))),
         contrast_(contrast) {}
 
  protected:

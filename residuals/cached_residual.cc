@@ -20,8 +20,7 @@ bool CachedResidual::Evaluate(double const* const* /*parameters*/,
     J.resize(num_residuals(), static_cast<Eigen::Index>(parameter_block_sizes().size()));
   }
   if (!Compare(&difference, jacobians == nullptr ? nullptr : &J)) return false;
-  Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) =
-      inverse_sigma_.cwiseProduct(difference);
+  Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) = inverse_sigma_.cwiseProduct(difference);
   if (jacobians == nullptr) return true;
   for (Eigen::Index k = 0; k < J.cols(); ++k) {
     if (jacobians[k] == nullptr) continue;

@@ -16,9 +16,7 @@ namespace dhcal {
 
 class CachedResidual : public ceres::CostFunction {
  public:
-  bool Evaluate(double const* const* parameters,
-                double* residuals,
-                double** jacobians) const final;
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const final;
 
  protected:
   // Rows: 1 (distance), 3 (position) or 6 (pose).

@@ -4,7 +4,8 @@
 //   rows 3-5: Log(R_WQ R_WQ_measured') / sigma_rotation, in W         [rad / rad]
 //
 // The rotation error is a 3-vector, smooth at zero (a scalar angle has no derivative there). Not
-// differentiable where it reaches pi. d Log(Exp(w) R) = J_l^-1(Log R) w: Sola et al. (2018), eq. 144.
+// differentiable where it reaches pi. d Log(Exp(w) R) = J_l^-1(Log R) w: Sola et al. (2018), eq.
+// 144.
 #ifndef DHCAL_RESIDUALS_POSE_H_
 #define DHCAL_RESIDUALS_POSE_H_
 

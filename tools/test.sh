@@ -33,6 +33,11 @@ done
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 jobs="$(nproc)"
+# Real recordings are not part of the repository; the tests that need them skip without.
+if [ -z "${DHCAL_DATA:-}" ] && [ -d ../shared/data ]; then
+  DHCAL_DATA="$(cd ../shared/data && pwd)"
+fi
+export DHCAL_DATA="${DHCAL_DATA:-}"
 logs="$(mktemp -d)"
 trap 'rm -rf "$logs"' EXIT
 

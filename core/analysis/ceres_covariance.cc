@@ -74,7 +74,10 @@ CovarianceCheck CheckAgainstCeres(const Identifiability& identifiability,
     check.sentence = fmt::format(
         "Sigmas of {} identified parameters from SuiteSparse QR ({} of {} held) agree with the "
         "SVD's to {:.1g} relative.",
-        compared, num_held, blocks.size(), check.difference);
+        compared,
+        num_held,
+        blocks.size(),
+        check.difference);
   }
   return check;
 }

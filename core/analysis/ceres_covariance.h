@@ -12,9 +12,9 @@
 namespace dhcal {
 
 struct CovarianceCheck {
-  std::string sentence;            // what was compared and the outcome
-  double difference = kNotSet;     // largest relative difference of sigma among those compared
-  std::vector<double> sigma;       // from Ceres; NaN = held or not compared
+  std::string sentence;         // what was compared and the outcome
+  double difference = kNotSet;  // largest relative difference of sigma among those compared
+  std::vector<double> sigma;    // from Ceres; NaN = held or not compared
 };
 
 /// At the problem's state. With undetermined directions one pivot parameter of each is held

@@ -15,8 +15,7 @@ constexpr double kHarmlessBias = 0.2;          // [sigmas]: 95 % intervals still
 
 /// D (V_k s^-2 V_k' + V_d V_d') D: kept directions from the data, dropped ones from the tolerance.
 Eigen::MatrixXd CovarianceOf(const TruncatedSvd& svd) {
-  const Eigen::MatrixXd kept =
-      svd.kept() * svd.s.head(svd.rank).cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd kept = svd.kept() * svd.s.head(svd.rank).cwiseInverse().asDiagonal();
   const Eigen::MatrixXd unscaled =
       kept * kept.transpose() + svd.dropped() * svd.dropped().transpose();
   return svd.scale.asDiagonal() * unscaled * svd.scale.asDiagonal();
@@ -59,8 +58,8 @@ Identifiability Identify(const Linearization& readings,
   const TruncatedSvd& svd = result.readings;
   if (svd.rank > 0) result.condition_number = svd.s[0] / svd.s[svd.rank - 1];
 
-  const double rounding = static_cast<double>(svd.s.size()) *
-                          std::numeric_limits<double>::epsilon() * svd.s[0];
+  const double rounding =
+      static_cast<double>(svd.s.size()) * std::numeric_limits<double>::epsilon() * svd.s[0];
   result.numerical_rank = static_cast<int>((svd.s.array() > rounding).count());
 
   const Eigen::VectorXd inverse_s = svd.s.head(svd.rank).cwiseInverse();

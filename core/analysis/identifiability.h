@@ -27,12 +27,12 @@ struct Determination {
 };
 
 struct Identifiability {
-  TruncatedSvd readings;   // noise rule, readings alone: decides the verdicts
-  TruncatedSvd all;        // noise rule, with priors: decides the covariance
-  Eigen::MatrixXd covariance;              // [rad^2, m^2], with the tolerance along what is dropped
+  TruncatedSvd readings;       // noise rule, readings alone: decides the verdicts
+  TruncatedSvd all;            // noise rule, with priors: decides the covariance
+  Eigen::MatrixXd covariance;  // [rad^2, m^2], with the tolerance along what is dropped
   std::vector<Determination> parameters;
   ObservabilityIndices observability;
-  double condition_number = kNotSet;       // of the directions kept
+  double condition_number = kNotSet;  // of the directions kept
   int numerical_rank = -1;  // directions that the readings respond to at all, above rounding
 };
 

@@ -59,8 +59,8 @@ std::string Term(double coefficient, const Parameter& parameter, Unit unit_of_su
   std::string text = coefficient < 0 ? " - " : " + ";
   const bool plain = std::abs(std::abs(coefficient) - 1.0) < 5e-3;
   if (parameter.unit != unit_of_sum) {
-    text += fmt::format("{:.3g} {}/{} ", std::abs(coefficient), ToString(unit_of_sum),
-                        ToString(parameter.unit));
+    text += fmt::format(
+        "{:.3g} {}/{} ", std::abs(coefficient), ToString(unit_of_sum), ToString(parameter.unit));
   } else if (!plain) {
     text += fmt::format("{:.3g} ", std::abs(coefficient));
   }
@@ -114,7 +114,8 @@ std::string One(const Names& names, MeasurementKind kind, const std::string& nam
   const Parameter& parameter = names.at(name);
   if (parameter.unit == Unit::kRadian) {
     if (parameter.group == ParameterGroup::kTool) {
-      return name + " turns the tool about the measured point: only a measured orientation shows it";
+      return name +
+             " turns the tool about the measured point: only a measured orientation shows it";
     }
     if (kind == MeasurementKind::kPose) return name + " changes no reading";
     return name + " turns about an axis through the measured point: no reading depends on it";

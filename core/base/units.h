@@ -5,10 +5,10 @@
 namespace dhcal {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kDegree = kPi / 180.0;   // [rad]
-constexpr double kMillimetre = 1e-3;      // [m]
-constexpr double kMicrometre = 1e-6;      // [m]
-constexpr double kMilliradian = 1e-3;     // [rad]
+constexpr double kDegree = kPi / 180.0;  // [rad]
+constexpr double kMillimetre = 1e-3;     // [m]
+constexpr double kMicrometre = 1e-6;     // [m]
+constexpr double kMilliradian = 1e-3;    // [rad]
 
 }  // namespace dhcal
 

@@ -76,8 +76,8 @@ void DhChain::PoseAndDerivatives(const Eigen::Ref<const Eigen::VectorXd>& q,
 
   const Eigen::Matrix<double, 6, 1> base = delta.segment<6>(slots_.base(0));
   const Eigen::Isometry3d X_WB = PerturbFrame<double>(ends.X_WB, base);
-  MovingFrame frame{X_WB.linear().col(0), X_WB.linear().col(1), X_WB.linear().col(2),
-                    X_WB.translation()};
+  MovingFrame frame{
+      X_WB.linear().col(0), X_WB.linear().col(1), X_WB.linear().col(2), X_WB.translation()};
   const Eigen::Matrix3d w_base = LeftJacobianSO3<double>(base.tail<3>());
   for (int k = 0; k < 3; ++k) {
     axes.Shifts(slots_.base(k), Vector3d::Unit(k));

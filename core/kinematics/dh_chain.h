@@ -27,10 +27,10 @@ struct EndFrames {
 
 /// Pose of Q in W and its derivatives.
 struct PoseWithDerivatives {
-  Eigen::Vector3d p_WQ;                            // [m]
+  Eigen::Vector3d p_WQ;  // [m]
   Eigen::Matrix3d R_WQ;
-  Eigen::Matrix<double, 3, Eigen::Dynamic> J_p;    // d p_WQ / d slot, 3 x slots
-  Eigen::Matrix<double, 3, Eigen::Dynamic> J_w;    // rotation of Q in W per slot, 3 x slots [rad]
+  Eigen::Matrix<double, 3, Eigen::Dynamic> J_p;  // d p_WQ / d slot, 3 x slots
+  Eigen::Matrix<double, 3, Eigen::Dynamic> J_w;  // rotation of Q in W per slot, 3 x slots [rad]
 };
 
 /// The nominal chain; immutable.
@@ -122,8 +122,8 @@ Eigen::Transform<T, 3, Eigen::Isometry> DhChain::Pose(
       X = X * about(row.theta, z) * along(z * row.d + x * row.a) * about(row.alpha, x) *
           about(row.beta, y);
     } else {
-      X = X * about(row.alpha, x) * along(x * row.a) * about(row.beta, y) *
-          about(row.theta, z) * along(z * row.d);
+      X = X * about(row.alpha, x) * along(x * row.a) * about(row.beta, y) * about(row.theta, z) *
+          along(z * row.d);
     }
   }
   return X * PerturbFrame<T>(ends.X_TQ, delta.template segment<6>(slots_.tool(0)));

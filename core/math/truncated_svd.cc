@@ -30,9 +30,4 @@ Eigen::VectorXd TruncatedSvd::Solve(const Eigen::VectorXd& b) const {
   return scale.cwiseProduct(V.leftCols(rank) * along);
 }
 
-double TruncatedSvd::ResidualNorm(const Eigen::VectorXd& b) const {
-  const Eigen::VectorXd reached = U.leftCols(rank) * (U.leftCols(rank).transpose() * b);
-  return (b - reached).norm();
-}
-
 }  // namespace dhcal

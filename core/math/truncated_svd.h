@@ -19,9 +19,6 @@ struct TruncatedSvd {
   /// Minimum-norm (in scaled columns) x of min ||J x - b|| over the directions kept.
   Eigen::VectorXd Solve(const Eigen::VectorXd& b) const;
 
-  /// ||J x - b|| for that x, from the parts of b that the kept directions do not reach.
-  double ResidualNorm(const Eigen::VectorXd& b) const;
-
   auto kept() const { return V.leftCols(rank); }
   auto dropped() const { return V.rightCols(V.cols() - rank); }
 };

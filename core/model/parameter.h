@@ -24,8 +24,8 @@ struct Parameter {
   ParameterGroup group = ParameterGroup::kTheta;
   Unit unit = Unit::kRadian;
   int slot = -1;
-  int run = -1;     // >= 0: only rows of this run
-  int target = -1;  // >= 0: only rows of this target
+  int run = -1;                       // >= 0: only rows of this run
+  int target = -1;                    // >= 0: only rows of this target
   double tolerance = 0;               // what manufacture or set-up leaves open, one sigma, SI
   std::optional<double> prior_sigma;  // SI
 };

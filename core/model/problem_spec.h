@@ -34,7 +34,7 @@ struct MeasurementSpec {
   std::optional<double> sigma;           // [m] one measured coordinate; absent = estimated
   std::optional<double> sigma_rotation;  // [rad] one component; absent = estimated
   NoiseKind noise = NoiseKind::kIndependent;
-  std::vector<Anchor> anchors;           // for kind distance
+  std::vector<Anchor> anchors;  // for kind distance
 };
 
 struct ParameterSpec {
@@ -64,7 +64,7 @@ struct MotionSpec {
   Eigen::VectorXd increments;  // per step, kIncrements
   Eigen::VectorXd lower;       // kRandom: uniform in [lower, upper]
   Eigen::VectorXd upper;
-  std::string file;            // kFile: a recording's joint columns; resolved path
+  std::string file;  // kFile: a recording's joint columns; resolved path
 };
 
 /// A recording made from the nominal robot plus known errors.

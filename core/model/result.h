@@ -21,19 +21,19 @@ constexpr double kNotSet = std::numeric_limits<double>::quiet_NaN();
 
 enum class Termination {
   kNotRun,
-  kKappa,            // ||J drho - dx|| <= kappa
-  kSmallChange,      // step and cost change below their tolerances
+  kKappa,        // ||J drho - dx|| <= kappa
+  kSmallChange,  // step and cost change below their tolerances
   kIterationLimit,
   kDiverged,
-  kFailed,           // the solver could not evaluate or solve
+  kFailed,  // the solver could not evaluate or solve
 };
 
 /// "kappa", "small_change", "iteration_limit", "diverged", "failed", "not_run".
 const char* ToString(Termination termination);
 
 struct IterationRecord {
-  int iteration = -1;         // from 1
-  double cost = kNotSet;      // 1/2 sum of whitened squares after the step
+  int iteration = -1;           // from 1
+  double cost = kNotSet;        // 1/2 sum of whitened squares after the step
   double kappa_norm = kNotSet;  // ||J drho - dx|| of the step, [m]
   int rank = -1;
   double step_norm = kNotSet;  // of the step, in units of the parameters' tolerances
@@ -78,20 +78,20 @@ struct FitResult {
   SolverMethod solver = SolverMethod::kSvdGaussNewton;
   Termination termination = Termination::kNotRun;
   std::string message = "The solver was not called.";  // a sentence with both sides of the test
-  bool usable = false;     // parameters may be used
+  bool usable = false;                                 // parameters may be used
   bool converged = false;
   int iterations = -1;
   int rank = -1;            // directions kept in the last step
   int rank_numerical = -1;  // directions that the readings respond to at all, above rounding
   int columns = -1;
-  double kappa_norm = kNotSet;    // [m]
+  double kappa_norm = kNotSet;  // [m]
   double cost = kNotSet;
   double chi2_reduced = kNotSet;  // only with a known sigma
   double seconds = kNotSet;
-  double rms = kNotSet;        // [m] per measured coordinate, fitted rows
-  double rms_point = kNotSet;  // [m] 3-D, where positions are measured
-  double max_point = kNotSet;  // [m]
-  double rms_rotation = kNotSet;  // [rad] per component, kind pose
+  double rms = kNotSet;                 // [m] per measured coordinate, fitted rows
+  double rms_point = kNotSet;           // [m] 3-D, where positions are measured
+  double max_point = kNotSet;           // [m]
+  double rms_rotation = kNotSet;        // [rad] per component, kind pose
   std::vector<double> singular_values;  // of the last step's Jacobian, descending
   std::string singular_values_of;       // in words: which scaling
   double truncation_cut = kNotSet;      // singular values at or below were set to zero
@@ -101,17 +101,17 @@ struct FitResult {
   std::vector<ParameterResult> parameters;  // estimated and fixed, empty when not usable
   std::vector<NullDirection> null_space;
   // Covariance from ceres::Covariance (SuiteSparse QR) against the SVD's own.
-  std::string covariance_check;  // a sentence
+  std::string covariance_check;            // a sentence
   double covariance_difference = kNotSet;  // largest relative difference of sigma compared
 };
 
 struct ComparedParameter {
   std::string name;
   Unit unit = Unit::kRadian;
-  double svd_gauss_newton = kNotSet;    // correction
+  double svd_gauss_newton = kNotSet;  // correction
   double levenberg_marquardt = kNotSet;
-  double difference = kNotSet;           // outside the null space
-  double in_null_space = kNotSet;        // part of the difference that no reading can see
+  double difference = kNotSet;     // outside the null space
+  double in_null_space = kNotSet;  // part of the difference that no reading can see
 };
 
 struct Baseline {
@@ -121,13 +121,13 @@ struct Baseline {
 };
 
 struct ValidationResult {
-  std::string method;  // "set column" or "blocked k-fold"; empty = none
-  int rows = -1;       // rows predicted
-  double rms_train = kNotSet;    // [m] per coordinate
-  double rms_test = kNotSet;     // [m]
+  std::string method;               // "set column" or "blocked k-fold"; empty = none
+  int rows = -1;                    // rows predicted
+  double rms_train = kNotSet;       // [m] per coordinate
+  double rms_test = kNotSet;        // [m]
   double rms_point_test = kNotSet;  // [m]
   double max_point_test = kNotSet;  // [m]
-  double noise_sigma = kNotSet;  // [m]
+  double noise_sigma = kNotSet;     // [m]
 };
 
 /// One reading of one row, for residuals.csv; coordinates in SI ([m], [rad] for rotations).
@@ -142,7 +142,7 @@ struct RowResidual {
 struct Result {
   std::string problem;
   std::string program_version;
-  int rows = -1;        // fitted
+  int rows = -1;  // fitted
   int rows_test = -1;
   int num_poses = -1;
   MeasurementKind kind = MeasurementKind::kPosition;
@@ -150,16 +150,16 @@ struct Result {
   double noise_sigma_rotation = kNotSet;  // [rad], kind pose
   std::string noise_source;               // "given", "estimated from the residuals", ...
   std::vector<FitResult> fits;
-  int best_fit = -1;                      // index into fits; -1 = none usable
+  int best_fit = -1;  // index into fits; -1 = none usable
   std::vector<ComparedParameter> comparison;
-  Baseline nominal;                        // rows predicted with the file's values
+  Baseline nominal;  // rows predicted with the file's values
   std::optional<Baseline> base_and_tool_only;
   ValidationResult validation;
   std::vector<std::string> coordinate_names;  // of RowResidual's vectors: "x", "y", "z", ...
   std::vector<RowResidual> residuals;
-  RobotModel calibrated;                   // the robot with the corrected values
+  RobotModel calibrated;  // the robot with the corrected values
   bool simulated = false;
-  std::vector<std::string> notes;          // warnings a reader of the report should see
+  std::vector<std::string> notes;  // warnings a reader of the report should see
 
   const FitResult* best() const { return best_fit < 0 ? nullptr : &fits[best_fit]; }
 };

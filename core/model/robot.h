@@ -27,8 +27,8 @@ struct JointRow {
 
 /// Mass of one link, in the frame that its DH row ends in.
 struct LinkMass {
-  double mass = 0;                                    // [kg]
-  Eigen::Vector3d p_LC = Eigen::Vector3d::Zero();     // [m] link frame to centre of mass
+  double mass = 0;                                 // [kg]
+  Eigen::Vector3d p_LC = Eigen::Vector3d::Zero();  // [m] link frame to centre of mass
 };
 
 /// A named reflector or marker on the tool, flange frame T to its frame Q.
@@ -50,16 +50,16 @@ struct RobotModel {
 
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  // measurement frame W to base B
   bool base_per_run = false;
-  std::vector<RunFrame> base_of_run;                       // optional starts, when per run
+  std::vector<RunFrame> base_of_run;  // optional starts, when per run
 
   Eigen::Isometry3d X_TQ = Eigen::Isometry3d::Identity();  // flange T to measured point Q
   bool tool_per_run = false;
   std::vector<RunFrame> tool_of_run;
-  std::vector<Target> targets;                             // instead of X_TQ when not empty
+  std::vector<Target> targets;  // instead of X_TQ when not empty
 
   Eigen::Vector3d gravity_B = Eigen::Vector3d(0, 0, -9.80665);  // [m/s^2]
-  std::vector<LinkMass> links;                             // empty, or one per joint
-  LinkMass payload;                                        // in the flange frame T
+  std::vector<LinkMass> links;                                  // empty, or one per joint
+  LinkMass payload;                                             // in the flange frame T
 
   int num_joints() const { return static_cast<int>(joints.size()); }
 };

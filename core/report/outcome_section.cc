@@ -53,12 +53,11 @@ std::string Answer(const Result& result) {
   const FitResult& fit = *result.best();
   const ValidationResult& unseen = result.validation;
   const bool in_space = !std::isnan(fit.rms_point);
-  std::string text = fmt::format(
-      "Error of the predicted {}{}: {}, {} after calibration.",
-      Predicted(result.kind),
-      in_space ? " (length of the 3-D error)" : "",
-      ErrorBefore(result),
-      ErrorText(fit.rms, fit.rms_point, fit.max_point));
+  std::string text = fmt::format("Error of the predicted {}{}: {}, {} after calibration.",
+                                 Predicted(result.kind),
+                                 in_space ? " (length of the 3-D error)" : "",
+                                 ErrorBefore(result),
+                                 ErrorText(fit.rms, fit.rms_point, fit.max_point));
   if (!std::isnan(unseen.rms_test)) {
     text += fmt::format(" On rows that were not fitted: {}.",
                         ErrorText(unseen.rms_test, unseen.rms_point_test, unseen.max_point_test));

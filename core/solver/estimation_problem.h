@@ -32,7 +32,7 @@ struct EstimationProblem {
 
   std::vector<double> state;  // corrections to the start, [rad] or [m]
   UnknownScales scales;
-  double kappa_unit = 1.0;    // [m] that a whitened residual of 1 stands for
+  double kappa_unit = 1.0;  // [m] that a whitened residual of 1 stands for
 
   // Destroyed in reverse order: the problem before what its blocks point to.
   std::unique_ptr<ceres::EvaluationCallback> cache;

@@ -15,7 +15,8 @@ constexpr int kLargestDenseQr = 200000;
 // Share of the best seen parameter's effect below which a column is rounding.
 constexpr double kBlind = 1e-12;
 
-ceres::Solver::Options CeresOptions(const SolverOptions& options, const EstimationProblem& problem) {
+ceres::Solver::Options CeresOptions(const SolverOptions& options,
+                                    const EstimationProblem& problem) {
   ceres::Solver::Options ceres_options;
   ceres_options.minimizer_type = ceres::TRUST_REGION;
   ceres_options.trust_region_strategy_type = ceres::LEVENBERG_MARQUARDT;
@@ -61,7 +62,8 @@ void Interpret(const SolverOptions& options,
     summary->termination = Termination::kKappa;
     summary->message =
         fmt::format("Kappa test passed: ||J drho - dx|| = {:.4e} m <= kappa = {:.4e} m.",
-                    callback.trace().back().kappa_norm, options.kappa);
+                    callback.trace().back().kappa_norm,
+                    options.kappa);
   } else if (ceres_summary.termination_type == ceres::CONVERGENCE) {
     summary->termination = Termination::kSmallChange;
     summary->message = "Ceres converged: " + ceres_summary.message;

@@ -26,12 +26,13 @@ Eigen::MatrixXd Dense(const ceres::CRSMatrix& sparse) {
 bool AddTo(EstimationProblem* problem,
            const std::vector<ceres::ResidualBlockId>& blocks,
            Tsqr* tsqr) {
-  return ForEachChunk(
-      problem, blocks, [&](int /*first_block*/, const Eigen::VectorXd& r, const Eigen::MatrixXd& J) {
-        Eigen::MatrixXd rows(J.rows(), J.cols() + 1);
-        rows << J, -r;
-        tsqr->Add(rows);
-      });
+  return ForEachChunk(problem,
+                      blocks,
+                      [&](int /*first_block*/, const Eigen::VectorXd& r, const Eigen::MatrixXd& J) {
+                        Eigen::MatrixXd rows(J.rows(), J.cols() + 1);
+                        rows << J, -r;
+                        tsqr->Add(rows);
+                      });
 }
 
 }  // namespace
@@ -80,8 +81,8 @@ bool EvaluateReadings(EstimationProblem* problem, Eigen::VectorXd* residuals) {
   options.residual_blocks = problem->readings;
   std::vector<double> values;
   if (!problem->problem->Evaluate(options, nullptr, &values, nullptr, nullptr)) return false;
-  *residuals = Eigen::Map<const Eigen::VectorXd>(values.data(),
-                                                 static_cast<Eigen::Index>(values.size()));
+  *residuals =
+      Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
   return residuals->allFinite();
 }
 

@@ -33,11 +33,13 @@ void CheckForDivergence(const UnknownScales& scales, SolverSummary* summary) {
         "Diverged: a correction reached {:.3g} (rad or m), where more than {:g} cannot be a "
         "calibration error. Either directions were kept that only the noise determines, or the "
         "nominal robot is not the one that was recorded.",
-        summary->state[beyond], scales.limit[beyond]);
+        summary->state[beyond],
+        scales.limit[beyond]);
   } else if (!(summary->final_cost <= kHigherCost * summary->initial_cost + 1e-9)) {
     summary->termination = Termination::kDiverged;
     summary->message = fmt::format("Diverged: the cost rose from {:.6g} to {:.6g}.",
-                                   summary->initial_cost, summary->final_cost);
+                                   summary->initial_cost,
+                                   summary->final_cost);
   }
 }
 
@@ -60,7 +62,10 @@ bool SolverOptions::IsValid(std::string* error) const {
 
 std::string SolverSummary::BriefReport() const {
   return fmt::format("{} after {} iterations, cost {:.6g} -> {:.6g}",
-                     ToString(termination), trace.size(), initial_cost, final_cost);
+                     ToString(termination),
+                     trace.size(),
+                     initial_cost,
+                     final_cost);
 }
 
 SolverSummary Solver::Solve(const SolverOptions& options,
@@ -72,8 +77,7 @@ SolverSummary Solver::Solve(const SolverOptions& options,
   const std::unique_ptr<EstimationProblem> problem = factory();
   DoSolve(options, factory, problem.get(), &summary);
   CheckForDivergence(problem->scales, &summary);
-  summary.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return summary;
 }
 

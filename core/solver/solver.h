@@ -49,7 +49,9 @@ struct SolverSummary {
     return termination == Termination::kKappa || termination == Termination::kSmallChange ||
            termination == Termination::kIterationLimit;
   }
-  bool Converged() const { return IsSolutionUsable() && termination != Termination::kIterationLimit; }
+  bool Converged() const {
+    return IsSolutionUsable() && termination != Termination::kIterationLimit;
+  }
   /// One line: how it ended, iterations, cost from and to.
   std::string BriefReport() const;
 };

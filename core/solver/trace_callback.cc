@@ -39,7 +39,9 @@ void TraceCallback::CompleteRecord(const ceres::IterationSummary& summary) {
   IterationRecord record;
   record.iteration = static_cast<int>(trace_.size()) + 1;
   record.cost = summary.cost;
-  record.kappa_norm = kappa_norm_;
+  // Of the step that was taken: Gauss-Newton's is the truncated one, a damped one leaves more.
+  const Eigen::VectorXd left = linearization_.R * (now - state_) - linearization_.b;
+  record.kappa_norm = std::hypot(left.norm(), linearization_.outside) * probe_->kappa_unit;
   record.rank = svd_.rank;
   record.step_norm = (now - state_).cwiseQuotient(probe_->scales.tolerance).norm();
   trace_.push_back(record);
@@ -51,8 +53,6 @@ bool TraceCallback::LinearizeHere() {
   if (!Linearize(probe_, &linearization_)) return false;
   state_ = probe_->state_vector();
   svd_ = Truncate(truncation_, probe_->scales.tolerance, linearization_);
-  kappa_norm_ = std::hypot(svd_.ResidualNorm(linearization_.b), linearization_.outside) *
-                probe_->kappa_unit;
   return true;
 }
 

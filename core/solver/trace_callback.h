@@ -16,10 +16,10 @@
 
 namespace dhcal {
 
-/// At every state that a solver accepts it linearises the problem, truncates the SVD and notes
-/// rank and ||J drho - dx|| (English et al. 2004, eq. 13) of the step to come. When that step has
-/// been taken its record is complete, and if the norm is at or below kappa the solver is told to
-/// stop: so the step on which kappa holds is still applied, as in the paper's Table III.
+/// At every state that a solver accepts it linearises the problem and truncates the SVD. When the
+/// next step has been taken it notes that linearisation's rank and ||J drho - dx|| of the step
+/// (English et al. 2004, eq. 13), and if the norm is at or below kappa the solver is told to stop:
+/// so the step on which kappa holds is still applied, as in the paper's Table III.
 class TraceCallback : public ceres::IterationCallback {
  public:
   /// `probe` is linearised at `live_state`, which the solver updates; it may be the solver's own
@@ -57,8 +57,7 @@ class TraceCallback : public ceres::IterationCallback {
   Linearization linearization_;
   TruncatedSvd svd_;
   std::optional<TruncatedSvd> svd_of_last_step_;
-  double kappa_norm_ = 0;       // of the step to come [m]
-  Eigen::VectorXd state_;       // where linearization_ belongs
+  Eigen::VectorXd state_;  // where linearization_ belongs
   std::vector<IterationRecord> trace_;
   bool kappa_holds_ = false;
   bool failed_ = false;

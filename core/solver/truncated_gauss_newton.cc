@@ -17,7 +17,8 @@ Termination Decide(const SolverOptions& options,
   const IterationRecord& last = callback.trace().back();
   if (callback.kappa_holds()) {
     *message = fmt::format("Kappa test passed: ||J drho - dx|| = {:.4e} m <= kappa = {:.4e} m.",
-                           last.kappa_norm, options.kappa);
+                           last.kappa_norm,
+                           options.kappa);
     return Termination::kKappa;
   }
   const double change = std::abs(previous_cost - last.cost);
@@ -26,14 +27,22 @@ Termination Decide(const SolverOptions& options,
     *message = fmt::format(
         "Step and cost change are small: step {:.2e} <= {:.2e} tolerances, cost change {:.2e} <= "
         "{:.2e}; ||J drho - dx|| = {:.4e} m stays above kappa = {:.1e} m.",
-        last.step_norm, options.step_tolerance, change, allowed, last.kappa_norm, options.kappa);
+        last.step_norm,
+        options.step_tolerance,
+        change,
+        allowed,
+        last.kappa_norm,
+        options.kappa);
     return Termination::kSmallChange;
   }
   if (last.iteration >= options.max_iterations) {
     *message = fmt::format(
         "Iteration limit: {} of {} iterations done; last step {:.2e} tolerances, ||J drho - dx|| = "
         "{:.4e} m.",
-        last.iteration, options.max_iterations, last.step_norm, last.kappa_norm);
+        last.iteration,
+        options.max_iterations,
+        last.step_norm,
+        last.kappa_norm);
     return Termination::kIterationLimit;
   }
   return Termination::kNotRun;

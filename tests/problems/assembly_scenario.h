@@ -3,7 +3,7 @@
 #ifndef DHCAL_TESTS_PROBLEMS_ASSEMBLY_SCENARIO_H_
 #define DHCAL_TESTS_PROBLEMS_ASSEMBLY_SCENARIO_H_
 
-#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <string>

@@ -2,8 +2,12 @@
 // tools, targets, runs and sigmas differ between rows.
 #include "problems/assembly.h"
 
-#include <limits>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
 #include <ostream>
+#include <string>
 #include <vector>
 
 #include <ceres/crs_matrix.h>

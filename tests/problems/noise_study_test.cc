@@ -1,12 +1,13 @@
 // The promises of the statistics, measured over noise draws. The Slow tests give the figures that
 // README quotes; run them with `tools/test.sh --slow`.
 
+#include "tests/support/noise_study.h"
+
 #include <iostream>
 
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
-#include "tests/support/noise_study.h"
 #include "tests/support/problem_cases.h"
 
 namespace dhcal {

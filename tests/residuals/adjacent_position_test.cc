@@ -1,5 +1,8 @@
 #include "residuals/adjacent_position.h"
 
+#include <cmath>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"

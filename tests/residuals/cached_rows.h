@@ -2,6 +2,7 @@
 #ifndef DHCAL_TESTS_RESIDUALS_CACHED_ROWS_H_
 #define DHCAL_TESTS_RESIDUALS_CACHED_ROWS_H_
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 

@@ -1,5 +1,7 @@
 #include "residuals/distance.h"
 
+#include <cmath>
+
 #include <ceres/problem.h>
 #include <gtest/gtest.h>
 

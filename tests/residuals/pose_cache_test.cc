@@ -1,5 +1,8 @@
 #include "residuals/pose_cache.h"
 
+#include <cmath>
+#include <vector>
+
 #include <ceres/problem.h>
 #include <gtest/gtest.h>
 

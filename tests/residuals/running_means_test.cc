@@ -1,5 +1,6 @@
 #include "residuals/running_means.h"
 
+#include <cmath>
 #include <vector>
 
 #include <Eigen/Cholesky>

@@ -49,8 +49,8 @@ inline std::unique_ptr<EstimationProblem> MakeCurveProblem(const CurveCase& curv
   problem->problem = std::make_unique<ceres::Problem>();
   double sign = 1;
   for (const double x : curve.x) {
-    const double y = curve.a + curve.b * x + curve.c * x * x +
-                     curve.curvature * curve.a * curve.a + sign * curve.noise_step;
+    const double y = curve.a + curve.b * x + curve.c * x * x + curve.curvature * curve.a * curve.a +
+                     sign * curve.noise_step;
     sign = -sign;
     problem->readings.push_back(problem->problem->AddResidualBlock(
         new CurveResidual(x, y, curve.sigma, curve.curvature), nullptr, problem->blocks()));

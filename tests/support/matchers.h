@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <ostream>
+#include <utility>
 
 #include <Eigen/Core>
 #include <gmock/gmock.h>

@@ -9,10 +9,10 @@
 namespace dhcal {
 
 struct NoiseStudy {
-  double coverage = 0;            // share of 95 % intervals of identified parameters that hold
+  double coverage = 0;  // share of 95 % intervals of identified parameters that hold
   int num_intervals = 0;
-  double median_prediction = 0;   // [m] median over draws of the 3-D RMS error at new poses
-  int num_failed = 0;             // draws without a usable fit
+  double median_prediction = 0;  // [m] median over draws of the 3-D RMS error at new poses
+  int num_failed = 0;            // draws without a usable fit
 };
 
 /// Runs `draws` noise draws (seeds 1, 2, ...) of `spec`, a simulated problem; predictions at 2,000

@@ -74,8 +74,10 @@ ProblemSpec MakeSpec(const RobotModel& nominal, MeasurementKind kind, NoiseKind 
   spec.measurement.noise = noise;
   spec.parameters.estimate = {"complete"};
   if (kind == MeasurementKind::kDistance) {
-    spec.measurement.anchors = {{"A", {1.5, 0.2, 0.1}}, {"B", {-0.3, 2, 0.4}},
-                                {"C", {-1, -1, 1.5}},   {"D", {0.2, 0.1, -0.7}}};
+    spec.measurement.anchors = {{"A", {1.5, 0.2, 0.1}},
+                                {"B", {-0.3, 2, 0.4}},
+                                {"C", {-1, -1, 1.5}},
+                                {"D", {0.2, 0.1, -0.7}}};
   }
   return spec;
 }
@@ -131,8 +133,7 @@ double PredictionError(const TrueRobot& truth,
                        const RobotModel& calibrated,
                        std::uint64_t seed) {
   Rng rng(seed);
-  const Eigen::VectorXd none =
-      Eigen::VectorXd::Zero(SlotLayout(calibrated.num_joints()).size());
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(SlotLayout(calibrated.num_joints()).size());
   constexpr int kPoses = 500;
   double squares = 0;
   Eigen::Matrix4d true_before, before;
@@ -141,8 +142,8 @@ double PredictionError(const TrueRobot& truth,
     const Eigen::Matrix4d true_now = truth.Pose(q);
     const Eigen::Matrix4d now = independent::ForwardKinematics<double>(calibrated, q, none);
     if (k > 0) {
-      squares += (WhatIsRead(spec, before, now) - WhatIsRead(spec, true_before, true_now))
-                     .squaredNorm();
+      squares +=
+          (WhatIsRead(spec, before, now) - WhatIsRead(spec, true_before, true_now)).squaredNorm();
     }
     before = now;
     true_before = true_now;

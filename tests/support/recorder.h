@@ -14,8 +14,8 @@ namespace dhcal {
 /// A robot whose rows, base and tool differ from its nominal ones.
 struct TrueRobot {
   RobotModel nominal;
-  Eigen::VectorXd delta;                                        // slot errors
-  Eigen::Isometry3d X_VW = Eigen::Isometry3d::Identity();       // instrument V to nominal W
+  Eigen::VectorXd delta;                                   // slot errors
+  Eigen::Isometry3d X_VW = Eigen::Isometry3d::Identity();  // instrument V to nominal W
 
   /// Pose of the measured point in the instrument's frame.
   Eigen::Matrix4d Pose(const Eigen::VectorXd& q) const;
@@ -30,8 +30,8 @@ ProblemSpec MakeSpec(const RobotModel& nominal, MeasurementKind kind, NoiseKind 
 
 struct RecordingPlan {
   int poses = 150;
-  double sigma = 20e-6;          // [m]
-  double sigma_rotation = 50e-6; // [rad]
+  double sigma = 20e-6;           // [m]
+  double sigma_rotation = 50e-6;  // [rad]
   std::uint64_t seed = 1;
 };
 

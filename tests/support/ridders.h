@@ -2,8 +2,10 @@
 #ifndef DHCAL_TESTS_SUPPORT_RIDDERS_H_
 #define DHCAL_TESTS_SUPPORT_RIDDERS_H_
 
-#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>

@@ -7,11 +7,11 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <sys/wait.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
 
 #include "tests/support/files.h"
 
@@ -83,8 +83,8 @@ TEST_F(Program, WritesTheWholeResultFolderAndPrintsItsReport) {
   EXPECT_THAT(outcome.err, IsEmpty());
   EXPECT_EQ(Files("."), std::set<std::string>{"kr15_result"});
   EXPECT_EQ(Files("kr15_result"),
-            (std::set<std::string>{"calibrated.yaml", "recording.csv", "report.txt",
-                                   "residuals.csv", "result.json"}));
+            (std::set<std::string>{
+                "calibrated.yaml", "recording.csv", "report.txt", "residuals.csv", "result.json"}));
   EXPECT_THAT(outcome.out, HasSubstr(ReadAll(folder_ / "work/kr15_result/report.txt")));
   EXPECT_THAT(outcome.out, HasSubstr("only d2 + d3 is determined: axes 2 and 3 are parallel"));
   EXPECT_THAT(outcome.out, HasSubstr("theta6 turns about an axis through the measured point"));

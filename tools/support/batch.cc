@@ -31,13 +31,15 @@ struct Job {
 
 void ApplyOverrides(const CommandLine& command_line, ProblemSpec* spec, Diagnostics* diagnostics) {
   if (!command_line.method.empty() && !ParseSolverMethod(command_line.method, &spec->solver)) {
-    diagnostics->Error({}, "--method " + command_line.method +
-                               ": expected svd_gauss_newton, levenberg_marquardt or both");
+    diagnostics->Error({},
+                       "--method " + command_line.method +
+                           ": expected svd_gauss_newton, levenberg_marquardt or both");
   }
   const std::string& tolerance = command_line.singular_value_tolerance;
   if (!tolerance.empty() && !ParseTruncation(tolerance, &spec->solver)) {
-    diagnostics->Error({}, "--singular_value_tolerance " + tolerance +
-                               ": expected noise, paper or a number above 0 and below 1");
+    diagnostics->Error({},
+                       "--singular_value_tolerance " + tolerance +
+                           ": expected noise, paper or a number above 0 and below 1");
   }
 }
 
@@ -73,9 +75,9 @@ void CheckDirectoriesDiffer(const std::vector<Job>& jobs, Diagnostics* diagnosti
   for (const Job& job : jobs) {
     const auto [entry, is_new] = owner.try_emplace(job.directory, job.spec.file);
     if (is_new) continue;
-    diagnostics->Error({job.spec.file, 0, 0}, "would write into " + job.directory + " as " +
-                                                  entry->second +
-                                                  " does; give the problems different names");
+    diagnostics->Error({job.spec.file, 0, 0},
+                       "would write into " + job.directory + " as " + entry->second +
+                           " does; give the problems different names");
   }
 }
 

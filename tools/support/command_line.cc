@@ -16,7 +16,8 @@ DEFINE_bool(quiet, false, "print nothing but errors");
 namespace dhcal {
 namespace {
 
-constexpr char kHelp[] = R"(ceres_dhcal: finds the real Denavit-Hartenberg parameters of a serial robot.
+constexpr char kHelp[] =
+    R"(ceres_dhcal: finds the real Denavit-Hartenberg parameters of a serial robot.
 
   ceres_dhcal --problem FILE.yaml [--problem ...] [options]
 

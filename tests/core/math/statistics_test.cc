@@ -1,12 +1,14 @@
 #include "core/math/statistics.h"
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
+#include "core/base/units.h"
 
 namespace dhcal {
 namespace {
@@ -17,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // closed forms where there are any.
 
 TEST(StudentTwoSided, WithOneDegreeOfFreedomIsCauchys) {
-  EXPECT_NEAR(StudentTwoSided(0.95, 1), std::tan(0.475 * M_PI), 1e-11);  // 12.706
+  EXPECT_NEAR(StudentTwoSided(0.95, 1), std::tan(0.475 * kPi), 1e-11);  // 12.706
 }
 
 TEST(StudentTwoSided, WithTwoDegreesOfFreedomHasAClosedForm) {

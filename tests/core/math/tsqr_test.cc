@@ -1,7 +1,6 @@
 #include "core/math/tsqr.h"
 
-#include <limits>
-#include <vector>
+#include <algorithm>
 
 #include <Eigen/QR>
 #include <Eigen/SVD>

@@ -14,7 +14,8 @@ TEST(Linearization, TriangleCarriesTheNormalEquationsAndTheCost) {
   problem->set_state(Eigen::Vector3d(0.05, 0.1, -0.1));
   Eigen::MatrixXd J(5, 3);
   Eigen::VectorXd r(5);
-  ForEachChunk(problem.get(), problem->readings,
+  ForEachChunk(problem.get(),
+               problem->readings,
                [&](int first, const Eigen::VectorXd& rows, const Eigen::MatrixXd& jacobian) {
                  EXPECT_EQ(first, 0);
                  r = rows;
@@ -34,7 +35,8 @@ TEST(Linearization, ColumnsAreTheDerivativesOfTheResiduals) {
   const auto problem = MakeCurveProblem(CurveCase());
   problem->set_state(Eigen::Vector3d(0.05, 0.1, -0.1));
   Eigen::MatrixXd J;
-  ForEachChunk(problem.get(), problem->readings,
+  ForEachChunk(problem.get(),
+               problem->readings,
                [&](int, const Eigen::VectorXd&, const Eigen::MatrixXd& rows) { J = rows; });
   const double step = 1e-6;
   for (int k = 0; k < 3; ++k) {

@@ -35,8 +35,13 @@ TEST_P(EverySolver, StopsOnKappaAfterApplyingTheStepThatPassed) {
   const SolverSummary summary = Solve(CurveCase(), options);
   EXPECT_EQ(summary.termination, Termination::kKappa);
   EXPECT_LE(summary.trace.back().kappa_norm, options.kappa);
-  // The linear residual is zero from the first: one step, and it was taken.
-  EXPECT_EQ(summary.trace.size(), 1u);
+  // The linear model is exact from the first: Gauss-Newton needs one step, and it was taken.
+  if (GetParam() == SolverMethod::kSvdGaussNewton) {
+    EXPECT_EQ(summary.trace.size(), 1u);
+  }
+  for (std::size_t k = 0; k + 1 < summary.trace.size(); ++k) {
+    EXPECT_GT(summary.trace[k].kappa_norm, options.kappa);
+  }
   EXPECT_GT(std::abs(summary.state[1]), 0.1);
   EXPECT_LT(summary.final_cost, summary.initial_cost);
 }
