@@ -134,10 +134,11 @@ double CorrectionLimit(const Parameter& parameter) {
 }
 
 std::vector<int> JointsThatNeedBeta(const RobotModel& robot) {
-  const int shift = robot.convention == DhConvention::kStandard ? 0 : 1;
   std::vector<int> joints;
   for (int joint = 0; joint + 1 < robot.num_joints(); ++joint) {
-    if (AxesParallel(robot, joint, joint + 1)) joints.push_back(joint + shift);
+    if (AxesParallel(robot, joint, joint + 1)) {
+      joints.push_back(static_cast<int>(robot.row_between(joint)));
+    }
   }
   return joints;
 }

@@ -28,7 +28,7 @@ double Gain(const TruncatedSvd& svd, const Eigen::VectorXd& direction) {
 Eigen::VectorXd Shortened(const TruncatedSvd& svd, const Eigen::VectorXd& direction) {
   const double allowed = std::max(1.0, 1.1 * Gain(svd, direction));
   for (const double share : kNegligible) {
-    const Eigen::VectorXd shorter = Without(direction, share);
+    Eigen::VectorXd shorter = Without(direction, share);
     if (Gain(svd, shorter) <= allowed) return shorter;
   }
   return direction;
@@ -83,10 +83,8 @@ std::vector<NullDirection> ExplainNullSpace(const TruncatedSvd& svd,
 }
 
 bool AxesParallel(const RobotModel& robot, int joint_i, int joint_j) {
-  // Standard rows twist after their joint, modified rows before it.
-  const int shift = robot.convention == DhConvention::kStandard ? 0 : 1;
   for (int k = std::min(joint_i, joint_j); k < std::max(joint_i, joint_j); ++k) {
-    const JointRow& row = robot.joints[static_cast<std::size_t>(k + shift)];
+    const JointRow& row = robot.joints[robot.row_between(k)];
     if (std::abs(std::sin(row.alpha)) > kParallel || std::abs(std::sin(row.beta)) > kParallel) {
       return false;
     }

@@ -99,8 +99,7 @@ std::string ParallelOffsets(const RobotModel& robot,
   for (const int joint : joints) {
     // A twist of 180 degrees turns the next axis round.
     for (int k = before; k < joint; ++k) {
-      const int shift = robot.convention == DhConvention::kStandard ? 0 : 1;
-      sense *= std::cos(robot.joints[static_cast<std::size_t>(k + shift)].alpha) < 0 ? -1 : 1;
+      sense *= std::cos(robot.joints[robot.row_between(k)].alpha) < 0 ? -1 : 1;
     }
     before = joint;
     const std::string number = std::to_string(joint + 1);

@@ -62,6 +62,12 @@ struct RobotModel {
   LinkMass payload;                                             // in the flange frame T
 
   int num_joints() const { return static_cast<int>(joints.size()); }
+  /// Index of the row whose twist and length lie between the axes of joint_idx and the next:
+  /// standard rows twist after their joint, modified rows before it.
+  std::size_t row_between(int joint_idx) const {
+    const auto idx = static_cast<std::size_t>(joint_idx);
+    return convention == DhConvention::kStandard ? idx : idx + 1;
+  }
 };
 
 }  // namespace dhcal

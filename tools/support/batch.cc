@@ -44,7 +44,7 @@ void ApplyOverrides(const CommandLine& command_line, ProblemSpec* spec, Diagnost
 }
 
 std::string DirectoryOf(const CommandLine& command_line, const ProblemSpec& spec) {
-  const std::string own = spec.name + "_result";
+  std::string own = spec.name + "_result";
   if (command_line.out.empty()) return own;
   if (command_line.problems.size() == 1) return command_line.out;
   return (std::filesystem::path(command_line.out) / own).string();

@@ -107,6 +107,13 @@ TEST(TextReport, GivesTheAnswerBeforeTheDetails) {
   EXPECT_LT(report.find("PARAMETERS"), report.find("WHAT THE READINGS CANNOT TELL"));
 }
 
+TEST(TextReport, ComparesWithTheNominalParametersWhereBaseAndToolWereNotFitted) {
+  Result result = ExampleResult();
+  result.base_and_tool_only.reset();
+  EXPECT_THAT(TextReport(ExampleSpec(), result),
+              HasSubstr(": 2.600 mm RMS (at most 4.400 mm) with\n  the nominal parameters"));
+}
+
 TEST(TextReport, PrintsNoParametersWithoutAUsableFit) {
   const std::string report = TextReport(ExampleSpec(), DivergedResult());
   EXPECT_THAT(report, AllOf(HasSubstr("NO USABLE RESULT"), HasSubstr("The cost grew from 17")));
