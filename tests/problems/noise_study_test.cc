@@ -62,9 +62,9 @@ TEST(NoiseStudySlow, NinetyFivePercentIntervalsCoverNinetyFourToNinetySix) {
 TEST(NoiseStudySlow, PredictionsAtNewPosesReachTheOptimum) {
   const NoiseStudy plain = RunNoiseStudy(WithNoise(10e-6), 200);
   Print("noise rule", plain);
-  // The wanted figure is 96 um. Twenty directions are the best choice whatever the scaling; the
-  // median of 200 draws has a standard error of 5 um, and that of 1,000 draws is 99.5 um.
-  EXPECT_LE(plain.median_prediction, 105e-6);
+  // Not reached yet: 101.8 um here, 99.5 um over 1,000 draws. The median of 200 draws has a standard
+  // error of 5 um, and keeping twenty directions is the best choice whatever the scaling.
+  EXPECT_LE(plain.median_prediction, 96e-6);
 
   ProblemSpec relative = WithNoise(10e-6);
   relative.solver.rule = TruncationRule::kRelative;
