@@ -62,8 +62,8 @@ TEST(NoiseStudySlow, NinetyFivePercentIntervalsCoverNinetyFourToNinetySix) {
 TEST(NoiseStudySlow, PredictionsAtNewPosesReachTheOptimum) {
   const NoiseStudy plain = RunNoiseStudy(WithNoise(10e-6), 200);
   Print("noise rule", plain);
-  // Not reached yet: 101.8 um here, 99.5 um over 1,000 draws. The median of 200 draws has a standard
-  // error of 5 um, and keeping twenty directions is the best choice whatever the scaling.
+  // Not reached yet: 101.8 um here, 99.5 um over 1,000 draws. The median of 200 draws has a
+  // standard error of 5 um, and keeping twenty directions is the best choice whatever the scaling.
   EXPECT_LE(plain.median_prediction, 96e-6);
 
   ProblemSpec relative = WithNoise(10e-6);
