@@ -78,6 +78,27 @@ INSTANTIATE_TEST_SUITE_P(Methods,
                          ReplaceFolderTest,
                          testing::Values(SwapMethod::kExchange, SwapMethod::kRenameTwice));
 
+TEST(ReplaceFolder, IsNeverSeenWithoutAFolder) {
+  const TempFolder parent;
+  const std::filesystem::path out = parent.path() / "out";
+  MakeFolder(out, "old");
+  const pid_t writer = ::fork();
+  if (writer == 0) {
+    Diagnostics diagnostics;
+    bool good = true;
+    for (int i = 0; i < 400; ++i) good &= Replace(out, "new", SwapMethod::kExchange, &diagnostics);
+    ::_exit(good ? 0 : 1);
+  }
+  // What a reader sees at any moment is what a kill at that moment leaves.
+  int missing = 0;
+  int status = 1;
+  while (::waitpid(writer, &status, WNOHANG) == 0) {
+    for (int i = 0; i < 1000; ++i) missing += ::access((out / "one").c_str(), F_OK) == 0 ? 0 : 1;
+  }
+  EXPECT_EQ(missing, 0);
+  EXPECT_EQ(status, 0);
+}
+
 TEST(ReplaceFolder, CleansWhatAKilledProcessLeft) {
   const TempFolder parent;
   const int dead = DeadProcess();
