@@ -25,6 +25,20 @@ struct CachePlan {
   std::map<int, int> cache_row;    // recording row -> cache row
 };
 
+/// What the effects in a scope add to a row.
+std::vector<EffectTerm> EffectTerms(const Calibration& c, const Scope& scope, int row_idx) {
+  std::vector<EffectTerm> terms;
+  for (std::size_t k = 0; k < scope.parameters.size(); ++k) {
+    const int column = c.parameters[static_cast<std::size_t>(scope.parameters[k])].effect_column;
+    if (column < 0) continue;
+    for (const SlotWeights& weights : c.effect_columns[static_cast<std::size_t>(column)].slots) {
+      const double weight = weights.weight[row_idx];
+      if (weight != 0) terms.push_back({static_cast<int>(k), weights.slot, weight});
+    }
+  }
+  return terms;
+}
+
 CachePlan PlanCache(const Calibration& c) {
   CachePlan plan;
   for (const Reading& reading : c.readings.fitted) {
@@ -47,7 +61,9 @@ CachePlan PlanCache(const Calibration& c) {
       plan.scopes.push_back(scope);
     }
     cache_idx = static_cast<int>(plan.rows.size());
-    plan.rows.push_back({c.recording.q.row(row_idx), entry->second});
+    plan.rows.push_back({c.recording.q.row(row_idx),
+                         entry->second,
+                         EffectTerms(c, plan.scopes[static_cast<std::size_t>(entry->second)], row_idx)});
     plan.recording_row.push_back(row_idx);
   }
   return plan;

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glog/logging.h>
 
-#include "core/math/statistics.h"
+#include "core/physics/registry.h"
 #include "problems/parameter_set.h"
 
 namespace dhcal {
@@ -16,7 +17,34 @@ Calibration::Calibration(const ProblemSpec& problem_spec, const Recording& rows)
       chain(problem_spec.robot),
       parameters(ResolveParameters(problem_spec, rows).estimated),
       readings(CollectReadings(problem_spec.measurement, rows)),
-      frames(problem_spec.robot, rows) {}
+      frames(problem_spec.robot, rows) {
+  if (!problem_spec.parameters.effects.empty()) SetEffects(problem_spec.parameters.effects);
+}
+
+PhysicsContext Calibration::Context() const {
+  std::vector<Eigen::Isometry3d> bases;
+  for (std::size_t run = 0; run < frames.num_bases(); ++run) {
+    bases.push_back(frames.base(static_cast<int>(run)));
+  }
+  return PhysicsContext(spec.robot, recording, std::move(bases));
+}
+
+void Calibration::SetEffects(const std::vector<EffectRequest>& requests) {
+  parameters.erase(std::remove_if(parameters.begin(),
+                                  parameters.end(),
+                                  [](const Parameter& p) { return p.effect_column >= 0; }),
+                   parameters.end());
+  effect_columns.clear();
+  effects = requests;
+  if (requests.empty()) return;
+  const PhysicsContext context = Context();
+  for (const EffectRequest& request : requests) {
+    for (EffectColumn& column : EffectColumns(context, request)) {
+      parameters.push_back(EffectParameter(request, column, static_cast<int>(effect_columns.size())));
+      effect_columns.push_back(std::move(column));
+    }
+  }
+}
 
 int Calibration::Target(int row_idx) const {
   const auto& targets = spec.robot.targets;
@@ -34,7 +62,15 @@ Eigen::VectorXd Calibration::SlotDeltas(const Eigen::VectorXd& state, int row_id
   Eigen::VectorXd delta = Eigen::VectorXd::Zero(chain.slots().size());
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     if (!InScope(parameters[k], run, target)) continue;
-    delta[parameters[k].slot] += state[static_cast<Eigen::Index>(k)];
+    const double value = state[static_cast<Eigen::Index>(k)];
+    if (parameters[k].effect_column < 0) {
+      delta[parameters[k].slot] += value;
+      continue;
+    }
+    const auto column = static_cast<std::size_t>(parameters[k].effect_column);
+    for (const SlotWeights& weights : effect_columns[column].slots) {
+      delta[weights.slot] += weights.weight[row_idx] * value;
+    }
   }
   return delta;
 }

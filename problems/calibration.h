@@ -10,6 +10,7 @@
 #include "core/model/parameter.h"
 #include "core/model/problem_spec.h"
 #include "core/model/recording.h"
+#include "core/physics/effect.h"
 #include "problems/frames.h"
 #include "problems/readings.h"
 
@@ -31,6 +32,15 @@ struct Calibration {
   std::vector<Parameter> parameters;  // unknown; state k corrects parameters[k]
   Readings readings;
   Frames frames;  // where base and tool start (nominal, or aligned)
+  std::vector<EffectColumn> effect_columns;  // of the parameters of group effect
+
+  /// Circumstances of the rows with the base where `frames` has it.
+  PhysicsContext Context() const;
+  /// Takes these effects (all testable) as unknowns instead of the ones there are.
+  void SetEffects(const std::vector<EffectRequest>& requests);
+  /// Computes the effects' weights again after `frames` has moved.
+  void UpdateEffects() { SetEffects(effects); }
+  std::vector<EffectRequest> effects;  // switched on
 
   /// Target of a row: index into spec.robot.targets, by its name; 0 without targets.
   int Target(int row_idx) const;

@@ -17,8 +17,15 @@ namespace {
 
 /// "0.21 mm", "0.34 mrad".
 std::string Length(double value, Unit unit) {
-  return unit == Unit::kMetre ? fmt::format("{:.2g} mm", value / kMillimetre)
-                              : fmt::format("{:.2g} mrad", value / kMilliradian);
+  switch (unit) {
+    case Unit::kMetre:
+      return fmt::format("{:.2g} mm", value / kMillimetre);
+    case Unit::kRadian:
+      return fmt::format("{:.2g} mrad", value / kMilliradian);
+    case Unit::kOther:
+      return fmt::format("{:.2g} (SI)", value);
+  }
+  return "";
 }
 
 bool Holds(const NullDirection& n, const std::string& name) {
@@ -87,6 +94,7 @@ std::vector<ParameterResult> DescribeParameters(const Calibration& c,
     ParameterResult result;
     result.name = parameter.name;
     result.unit = parameter.unit;
+    result.unit_text = parameter.unit_text;
     result.nominal = ValueIn(nominal, frames_nominal, parameter);
     result.value = ValueIn(calibrated, frames, parameter);
     result.correction = Correction(nominal, frames_nominal, calibrated, frames, parameter);
@@ -97,6 +105,8 @@ std::vector<ParameterResult> DescribeParameters(const Calibration& c,
     const auto i = static_cast<Eigen::Index>(k);
     const Determination& d = analysis.identifiability.parameters[k];
     ParameterResult result = start(parameter);
+    // An effect is absent from the nominal robot and stands in no robot model.
+    if (parameter.effect_column >= 0) result.value = result.correction = state[i];
     result.sigma = std::sqrt(analysis.identifiability.covariance(i, i));
     result.ci95_low = result.value - quantile * result.sigma;
     result.ci95_high = result.value + quantile * result.sigma;

@@ -19,36 +19,9 @@ namespace {
 // No calibration error is as large [m].
 constexpr double kNotThisRobot = 0.02;
 
-bool IsFrameParameter(const Parameter& p) {
-  return p.group == ParameterGroup::kBase || p.group == ParameterGroup::kTool;
-}
-
 Baseline BaselineOf(const Calibration& c, const Eigen::VectorXd& state) {
   const ResidualStatistics s = Statistics(c, state, c.readings.fitted);
   return {s.rms, s.rms_point, s.max_point};
-}
-
-/// Fits base and tool alone and makes the outcome the start of the full fit.
-std::optional<Baseline> FitFramesAlone(Calibration* c, const Progress& progress) {
-  Calibration frames_only = *c;
-  auto& unknowns = frames_only.parameters;
-  unknowns.erase(std::remove_if(unknowns.begin(),
-                                unknowns.end(),
-                                [](const Parameter& p) { return !IsFrameParameter(p); }),
-                 unknowns.end());
-  if (unknowns.empty()) return std::nullopt;
-  SolverOptions options = OptionsOf(c->spec.solver);
-  options.truncation = Truncation();
-  const Fit fit = RunFit(
-      frames_only, SolverMethod::kSvdGaussNewton, options, InitialNoise(frames_only), progress);
-  if (!fit.summary.IsSolutionUsable()) return std::nullopt;
-  const Baseline baseline = BaselineOf(frames_only, fit.summary.state);
-  // A prior holds a parameter to the file's value: moving the start would move the prior.
-  const bool has_prior = std::any_of(unknowns.begin(), unknowns.end(), [](const Parameter& p) {
-    return p.prior_sigma.has_value();
-  });
-  if (!has_prior) c->frames.Apply(unknowns, fit.summary.state, c->chain.slots());
-  return baseline;
 }
 
 std::vector<SolverMethod> Methods(SolverMethod asked) {
@@ -154,7 +127,10 @@ Result IdentifyGeometry(const ProblemSpec& spec,
       BaselineOf(c, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(c.parameters.size())));
 
   AlignStart(&c);
-  result.base_and_tool_only = FitFramesAlone(&c, progress);
+  if (const auto frames_alone = FitFramesAlone(&c, progress)) {
+    result.base_and_tool_only =
+        Baseline{frames_alone->rms, frames_alone->rms_point, frames_alone->max_point};
+  }
   const Noise noise = InitialNoise(c);
   std::vector<Fit> fits;
   for (const SolverMethod method : Methods(spec.solver.method)) {

@@ -124,13 +124,33 @@ double DefaultTolerance(ParameterGroup group, Unit unit) {
     case ParameterGroup::kTool:
       // After the closed-form alignment; what set-up leaves is found from the readings.
       return unit == Unit::kMetre ? 5 * kMillimetre : 5 * kMilliradian;
+    case ParameterGroup::kEffect:
+      return 0;  // its own, EffectParameter
   }
   return 0;
 }
 
 double CorrectionLimit(const Parameter& parameter) {
-  if (parameter.group == ParameterGroup::kBase) return std::numeric_limits<double>::infinity();
+  if (parameter.group == ParameterGroup::kBase || parameter.group == ParameterGroup::kEffect) {
+    return std::numeric_limits<double>::infinity();
+  }
   return 1.0;  // [rad] or [m]
+}
+
+Parameter EffectParameter(const EffectRequest& request,
+                          const EffectColumn& column,
+                          int column_idx) {
+  // An effect may well be ten times its typical size; the tolerance only decides what is worth
+  // estimating.
+  constexpr double kTypicalToTolerance = 10;
+  Parameter parameter;
+  parameter.name = ParameterName(request, column.parameter);
+  parameter.group = ParameterGroup::kEffect;
+  parameter.unit = Unit::kOther;
+  parameter.unit_text = column.unit;
+  parameter.effect_column = column_idx;
+  parameter.tolerance = kTypicalToTolerance * column.typical;
+  return parameter;
 }
 
 std::vector<int> JointsThatNeedBeta(const RobotModel& robot) {

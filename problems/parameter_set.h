@@ -8,6 +8,7 @@
 #include "core/model/parameter.h"
 #include "core/model/problem_spec.h"
 #include "core/model/recording.h"
+#include "core/physics/effect.h"
 
 namespace dhcal {
 
@@ -26,6 +27,9 @@ double CorrectionLimit(const Parameter& parameter);
 /// Parameters in the paper's order: theta, alpha, a, d, then beta, base, tool. Base and tool have
 /// one set per run, or per target, where the robot says so ("base_x.run2", "tool_z.A").
 ParameterSet ResolveParameters(const ProblemSpec& spec, const Recording& recording);
+
+/// The unknown of an effect's column; tolerance = several times the typical size.
+Parameter EffectParameter(const EffectRequest& request, const EffectColumn& column, int column_idx);
 
 /// Joints (from 0) whose beta completes the geometry: where the next axis is nominally parallel
 /// and plain DH has no parameter for its tilt (Hayati 1983).

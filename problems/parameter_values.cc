@@ -48,7 +48,7 @@ RobotModel CalibratedRobot(const Calibration& c, const Eigen::VectorXd& state) {
   RobotModel robot = c.spec.robot;
   for (std::size_t k = 0; k < c.parameters.size(); ++k) {
     const Parameter& p = c.parameters[k];
-    if (IsFrame(p)) continue;
+    if (IsFrame(p) || p.effect_column >= 0) continue;
     JointRow& row = robot.joints[static_cast<std::size_t>(p.slot / SlotLayout::kPerJoint)];
     RowEntry(KindOf(p.slot), &row) += state[static_cast<Eigen::Index>(k)];
   }
@@ -59,6 +59,7 @@ RobotModel CalibratedRobot(const Calibration& c, const Eigen::VectorXd& state) {
 }
 
 double ValueIn(const RobotModel& robot, const Frames& frames, const Parameter& p) {
+  if (p.effect_column >= 0) return 0;
   if (!IsFrame(p)) {
     JointRow row = robot.joints[static_cast<std::size_t>(p.slot / SlotLayout::kPerJoint)];
     return RowEntry(KindOf(p.slot), &row);

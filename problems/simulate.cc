@@ -2,37 +2,125 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <string>
+#include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <glog/logging.h>
 
 #include "core/base/rng.h"
 #include "core/io/recording_reader.h"
 #include "core/kinematics/dh_chain.h"
+#include "core/physics/registry.h"
 
 namespace dhcal {
 namespace {
 
 constexpr double kBlank = std::numeric_limits<double>::quiet_NaN();
 
-std::optional<Eigen::MatrixXd> JointCoordinates(const ProblemSpec& spec,
-                                                Rng* rng,
-                                                Diagnostics* diagnostics) {
+/// Joint columns; from a motion file also what else it says about its rows (clock, payload,
+/// temperature, directions, speeds, torques, runs), which effects may need.
+std::optional<Recording> Motion(const ProblemSpec& spec, Rng* rng, Diagnostics* diagnostics) {
   const MotionSpec& motion = spec.simulate->motion;
   if (motion.kind == MotionKind::kFile) {
-    const std::optional<Recording> file =
-        ReadRecording(motion.file, spec.robot.joints, diagnostics);
+    std::optional<Recording> file = ReadRecording(motion.file, spec.robot.joints, diagnostics);
     if (!file) return std::nullopt;
-    return file->q;
+    for (Eigen::MatrixXd* const measured : {&file->p_WQ, &file->displacement, &file->quaternion}) {
+      measured->resize(0, 0);
+    }
+    file->distance.resize(0);
+    file->sigma.resize(0);
+    file->target_names.clear();
+    file->target_idx.clear();
+    file->anchor_names.clear();
+    file->anchor_idx.clear();
+    file->lines.clear();
+    return file;
   }
-  Eigen::MatrixXd q(motion.num_poses, spec.robot.num_joints());
+  Recording rows;
+  rows.q.resize(motion.num_poses, spec.robot.num_joints());
   for (int pose = 0; pose < motion.num_poses; ++pose) {
-    for (int joint = 0; joint < q.cols(); ++joint) {
-      q(pose, joint) = motion.kind == MotionKind::kIncrements
-                           ? motion.home[joint] + pose * motion.increments[joint]
-                           : rng->Uniform(motion.lower[joint], motion.upper[joint]);
+    for (int joint = 0; joint < rows.q.cols(); ++joint) {
+      rows.q(pose, joint) = motion.kind == MotionKind::kIncrements
+                                ? motion.home[joint] + pose * motion.increments[joint]
+                                : rng->Uniform(motion.lower[joint], motion.upper[joint]);
     }
   }
-  return q;
+  return rows;
+}
+
+/// `source` with each row `times` times in a row.
+Eigen::MatrixXd Repeated(const Eigen::MatrixXd& source, int times) {
+  Eigen::MatrixXd rows(source.rows() * times, source.cols());
+  for (Eigen::Index k = 0; k < rows.rows(); ++k) rows.row(k) = source.row(k / times);
+  return rows;
+}
+
+/// Each pose is measured on every target.
+Recording OnEveryTarget(const Recording& motion, const RobotModel& robot) {
+  Recording rows = motion;
+  const auto num_targets = static_cast<int>(robot.targets.size());
+  for (const Target& target : robot.targets) rows.target_names.push_back(target.name);
+  if (num_targets == 0) return rows;
+  for (Eigen::MatrixXd* const column :
+       {&rows.q, &rows.temperature, &rows.direction, &rows.speed, &rows.torque}) {
+    *column = Repeated(*column, num_targets);
+  }
+  for (Eigen::VectorXd* const column : {&rows.time, &rows.payload}) {
+    *column = Repeated(*column, num_targets);
+  }
+  for (ExtraColumn& column : rows.extra) column.values = Repeated(column.values, num_targets);
+  rows.run_idx.clear();
+  rows.is_test.clear();
+  for (int k = 0; k < rows.num_rows(); ++k) {
+    const auto pose = static_cast<std::size_t>(k / num_targets);
+    rows.target_idx.push_back(k % num_targets);
+    if (!motion.run_idx.empty()) rows.run_idx.push_back(motion.run_idx[pose]);
+    if (!motion.is_test.empty()) rows.is_test.push_back(motion.is_test[pose]);
+  }
+  return rows;
+}
+
+/// Slot perturbations of every row by the effects put in (slots x rows). Nothing, with an error
+/// added, when one cannot be simulated with these rows.
+std::optional<Eigen::MatrixXd> EffectSlots(const ProblemSpec& spec,
+                                           const Recording& rows,
+                                           Diagnostics* diagnostics) {
+  const PhysicsContext context(spec.robot, rows, {spec.robot.X_WB});
+  Eigen::MatrixXd delta = Eigen::MatrixXd::Zero(context.slots().size(), rows.num_rows());
+  bool ok = true;
+  const auto refuse = [&](const EffectRequest& request, const std::string& reason) {
+    diagnostics->Error(
+        request.where,
+        fmt::format("the effect {} cannot be simulated: {}", InstanceName(request), reason));
+    ok = false;
+  };
+  for (const EffectRequest& request : spec.simulate->effects) {
+    const std::string reason = FindEffect(request.effect)->NotTestable(context, request);
+    if (!reason.empty()) {
+      refuse(request, reason);
+      continue;
+    }
+    std::map<std::string, double> values = request.values;
+    std::vector<std::string> names;
+    for (const EffectColumn& column : EffectColumns(context, request)) {
+      names.push_back(column.parameter);
+      for (const SlotWeights& weights : column.slots) {
+        delta.row(weights.slot) += values[column.parameter] * weights.weight.transpose();
+      }
+      values.erase(column.parameter);
+    }
+    for (const auto& [name, value] : values) {
+      refuse(request,
+             fmt::format("it has no parameter '{}'; its parameters are {}",
+                         name,
+                         fmt::join(names, ", ")));
+    }
+  }
+  if (!ok) return std::nullopt;
+  return delta;
 }
 
 Eigen::Vector3d NormalVector(double sigma, Rng* rng) {
@@ -136,26 +224,22 @@ Eigen::VectorXd ErrorSlots(const RobotModel& robot, const SimulationSpec& simula
 std::optional<Recording> SimulateRecording(const ProblemSpec& spec, Diagnostics* diagnostics) {
   CHECK(spec.simulate.has_value());
   Rng rng(spec.simulate->seed);
-  const std::optional<Eigen::MatrixXd> q = JointCoordinates(spec, &rng, diagnostics);
-  if (!q) return std::nullopt;
+  const std::optional<Recording> motion = Motion(spec, &rng, diagnostics);
+  if (!motion) return std::nullopt;
 
   const RobotModel& robot = spec.robot;
   const DhChain chain(robot);
-  const Eigen::VectorXd delta = ErrorSlots(robot, *spec.simulate);
-  const int num_targets = std::max<int>(static_cast<int>(robot.targets.size()), 1);
-  Recording recording;
+  const Eigen::VectorXd errors = ErrorSlots(robot, *spec.simulate);
+  Recording recording = OnEveryTarget(*motion, robot);
   recording.file = spec.file;
-  recording.q.resize(q->rows() * num_targets, q->cols());
-  for (const Target& target : robot.targets) recording.target_names.push_back(target.name);
+  const std::optional<Eigen::MatrixXd> physics = EffectSlots(spec, recording, diagnostics);
+  if (!physics) return std::nullopt;
   std::vector<Eigen::Isometry3d> X_WQ;
   for (int row_idx = 0; row_idx < recording.num_rows(); ++row_idx) {
-    const int target = row_idx % num_targets;
-    recording.q.row(row_idx) = q->row(row_idx / num_targets);
-    if (!robot.targets.empty()) recording.target_idx.push_back(target);
-    const EndFrames ends{
-        robot.X_WB,
-        robot.targets.empty() ? robot.X_TQ : robot.targets[static_cast<std::size_t>(target)].X_TQ};
-    X_WQ.push_back(chain.Pose<double>(recording.q.row(row_idx).transpose(), delta, ends));
+    const auto target = static_cast<std::size_t>(recording.target(row_idx));
+    const EndFrames ends{robot.X_WB, robot.targets.empty() ? robot.X_TQ : robot.targets[target].X_TQ};
+    X_WQ.push_back(chain.Pose<double>(
+        recording.q.row(row_idx).transpose(), errors + physics->col(row_idx), ends));
   }
   Measurer(spec, &rng).Measure(X_WQ, &recording);
   return recording;

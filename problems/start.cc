@@ -4,6 +4,8 @@
 
 #include <Eigen/SVD>
 
+#include "problems/noise.h"
+
 namespace dhcal {
 namespace {
 
@@ -72,6 +74,21 @@ void AlignToolRotation(int run, int target, Calibration* c) {
   if (!rotations.empty()) c->frames.mutable_tool(run, target).linear() = MeanRotation(rotations);
 }
 
+void AlignFrames(Calibration* c) {
+  if (c->spec.measurement.kind == MeasurementKind::kDistance) return;
+  const int num_runs = std::max<int>(static_cast<int>(c->recording.run_names.size()), 1);
+  const int num_targets = std::max<int>(static_cast<int>(c->spec.robot.targets.size()), 1);
+  for (int run = 0; run < (c->frames.base_per_run() ? num_runs : 1); ++run) {
+    if (IsFree(*c, ParameterGroup::kBase, run, 0)) AlignBase(run, c);
+  }
+  if (c->spec.measurement.kind != MeasurementKind::kPose) return;
+  for (int run = 0; run < (c->frames.tool_per_run() ? num_runs : 1); ++run) {
+    for (int target = 0; target < num_targets; ++target) {
+      if (IsFree(*c, ParameterGroup::kTool, run, target)) AlignToolRotation(run, target, c);
+    }
+  }
+}
+
 }  // namespace
 
 Eigen::Matrix3d AlignVectors(const Eigen::Matrix3Xd& v_B, const Eigen::Matrix3Xd& v_W) {
@@ -93,18 +110,37 @@ Eigen::Matrix3d MeanRotation(const std::vector<Eigen::Matrix3d>& rotations) {
 }
 
 void AlignStart(Calibration* c) {
-  if (c->spec.measurement.kind == MeasurementKind::kDistance) return;
-  const int num_runs = std::max<int>(static_cast<int>(c->recording.run_names.size()), 1);
-  const int num_targets = std::max<int>(static_cast<int>(c->spec.robot.targets.size()), 1);
-  for (int run = 0; run < (c->frames.base_per_run() ? num_runs : 1); ++run) {
-    if (IsFree(*c, ParameterGroup::kBase, run, 0)) AlignBase(run, c);
+  AlignFrames(c);
+  c->UpdateEffects();
+}
+
+std::optional<ResidualStatistics> FitFramesAlone(Calibration* c, const Progress& progress) {
+  Calibration frames_only = *c;
+  auto& unknowns = frames_only.parameters;
+  unknowns.erase(std::remove_if(unknowns.begin(),
+                                unknowns.end(),
+                                [](const Parameter& p) {
+                                  return p.group != ParameterGroup::kBase &&
+                                         p.group != ParameterGroup::kTool;
+                                }),
+                 unknowns.end());
+  if (unknowns.empty()) return std::nullopt;
+  SolverOptions options = OptionsOf(c->spec.solver);
+  options.truncation = Truncation();
+  const Fit fit = RunFit(
+      frames_only, SolverMethod::kSvdGaussNewton, options, InitialNoise(frames_only), progress);
+  if (!fit.summary.IsSolutionUsable()) return std::nullopt;
+  const ResidualStatistics left =
+      Statistics(frames_only, fit.summary.state, frames_only.readings.fitted);
+  // A prior holds a parameter to the file's value: moving the start would move the prior.
+  const bool has_prior = std::any_of(unknowns.begin(), unknowns.end(), [](const Parameter& p) {
+    return p.prior_sigma.has_value();
+  });
+  if (!has_prior) {
+    c->frames.Apply(unknowns, fit.summary.state, c->chain.slots());
+    c->UpdateEffects();
   }
-  if (c->spec.measurement.kind != MeasurementKind::kPose) return;
-  for (int run = 0; run < (c->frames.tool_per_run() ? num_runs : 1); ++run) {
-    for (int target = 0; target < num_targets; ++target) {
-      if (IsFree(*c, ParameterGroup::kTool, run, target)) AlignToolRotation(run, target, c);
-    }
-  }
+  return left;
 }
 
 }  // namespace dhcal

@@ -2,10 +2,14 @@
 #ifndef DHCAL_PROBLEMS_START_H_
 #define DHCAL_PROBLEMS_START_H_
 
+#include <optional>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include "problems/calibration.h"
+#include "problems/fit.h"
+#include "problems/prediction.h"
 
 namespace dhcal {
 
@@ -24,6 +28,11 @@ Eigen::Matrix3d MeanRotation(const std::vector<Eigen::Matrix3d>& rotations);
 /// all estimated without a prior to its closed-form alignment with the fitted readings. Distances
 /// have none: they start from the file's base.
 void AlignStart(Calibration* calibration);
+
+/// Fits base and tool alone and makes the outcome the start of the full fit (not where a prior holds
+/// them to the file's values). What they leave; nothing when none of them is estimated.
+std::optional<ResidualStatistics> FitFramesAlone(Calibration* calibration,
+                                                 const Progress& progress);
 
 }  // namespace dhcal
 

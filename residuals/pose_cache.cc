@@ -49,9 +49,40 @@ void PoseCache::PrepareForEvaluation(bool evaluate_jacobians, bool /*new_evaluat
 Eigen::VectorXd PoseCache::SlotDeltas(const Scope& scope) const {
   Eigen::VectorXd delta = Eigen::VectorXd::Zero(chain_->slots().size());
   for (std::size_t k = 0; k < scope.slots.size(); ++k) {
+    if (scope.slots[k] < 0) continue;
     delta[scope.slots[k]] += (*state_)[static_cast<std::size_t>(scope.parameters[k])];
   }
   return delta;
+}
+
+Eigen::VectorXd PoseCache::RowDeltas(const CacheRow& row, const Eigen::VectorXd& of_scope) const {
+  Eigen::VectorXd delta = of_scope;
+  const Scope& scope = scopes_[static_cast<std::size_t>(row.scope)];
+  for (const EffectTerm& term : row.effects) {
+    const int parameter = scope.parameters[static_cast<std::size_t>(term.column)];
+    delta[term.slot] += term.weight * (*state_)[static_cast<std::size_t>(parameter)];
+  }
+  return delta;
+}
+
+void PoseCache::FillColumns(const PoseWithDerivatives& pose, int row_idx) {
+  const Scope& of_row = scope(row_idx);
+  const Eigen::Index first = row_idx * stride_;
+  for (std::size_t k = 0; k < of_row.slots.size(); ++k) {
+    const Eigen::Index col = first + static_cast<Eigen::Index>(k);
+    const int slot = of_row.slots[k];
+    if (slot < 0) {
+      J_p_.col(col).setZero();
+      if (with_orientation_) J_w_.col(col).setZero();
+      continue;
+    }
+    J_p_.col(col) = pose.J_p.col(slot);
+    if (with_orientation_) J_w_.col(col) = pose.J_w.col(slot);
+  }
+  for (const EffectTerm& term : rows_[static_cast<std::size_t>(row_idx)].effects) {
+    J_p_.col(first + term.column) += term.weight * pose.J_p.col(term.slot);
+    if (with_orientation_) J_w_.col(first + term.column) += term.weight * pose.J_w.col(term.slot);
+  }
 }
 
 void PoseCache::ComputePositions() {
@@ -61,7 +92,7 @@ void PoseCache::ComputePositions() {
     const CacheRow& row = rows_[static_cast<std::size_t>(row_idx)];
     const auto scope_idx = static_cast<std::size_t>(row.scope);
     const Eigen::Isometry3d X_WQ =
-        chain_->Pose<double>(row.q, deltas[scope_idx], scopes_[scope_idx].ends);
+        chain_->Pose<double>(row.q, RowDeltas(row, deltas[scope_idx]), scopes_[scope_idx].ends);
     p_WQ_.col(row_idx) = X_WQ.translation();
     if (with_orientation_) R_WQ_[static_cast<std::size_t>(row_idx)] = X_WQ.linear();
   }
@@ -81,14 +112,10 @@ void PoseCache::ComputeWithDerivatives() {
     const CacheRow& row = rows_[static_cast<std::size_t>(row_idx)];
     const auto scope_idx = static_cast<std::size_t>(row.scope);
     const Scope& scope = scopes_[scope_idx];
-    chain_->PoseAndDerivatives(row.q, deltas[scope_idx], scope.ends, &pose);
+    chain_->PoseAndDerivatives(row.q, RowDeltas(row, deltas[scope_idx]), scope.ends, &pose);
     p_WQ_.col(row_idx) = pose.p_WQ;
     if (with_orientation_) R_WQ_[static_cast<std::size_t>(row_idx)] = pose.R_WQ;
-    for (std::size_t k = 0; k < scope.slots.size(); ++k) {
-      const Eigen::Index col = row_idx * stride_ + static_cast<Eigen::Index>(k);
-      J_p_.col(col) = pose.J_p.col(scope.slots[k]);
-      if (with_orientation_) J_w_.col(col) = pose.J_w.col(scope.slots[k]);
-    }
+    FillColumns(pose, row_idx);
   }
   means_.UpdatePositions(p_WQ_);
   means_.UpdateDerivatives(J_p_, stride_);

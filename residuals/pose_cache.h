@@ -12,18 +12,26 @@
 
 namespace dhcal {
 
+/// What an effect's parameter adds to a slot of one row (core/physics/effect.h).
+struct EffectTerm {
+  int column = 0;     // position among the scope's parameters
+  int slot = 0;       // [rad or m]
+  double weight = 0;  // slot's unit per unit of the parameter
+};
+
 /// What is the same for all rows of one run and target: the nominal frames at the chain's ends
 /// and the parameters that these rows depend on.
 struct Scope {
   EndFrames ends;
   std::vector<int> parameters;  // indices into the state, ascending
-  std::vector<int> slots;       // slot that each of them is added to
+  std::vector<int> slots;       // slot that each of them is added to; -1 = an effect's
 };
 
 /// One recorded pose.
 struct CacheRow {
   Eigen::VectorXd q;  // n, as the controller reported it [rad] or [m]
   int scope = 0;
+  std::vector<EffectTerm> effects;
 };
 
 /// Fills a structure-of-arrays store before Ceres evaluates; residual blocks only read it. Two
@@ -70,6 +78,9 @@ class PoseCache : public ceres::EvaluationCallback {
   void ComputePositions();
   void ComputeWithDerivatives();
   Eigen::VectorXd SlotDeltas(const Scope& scope) const;
+  /// Perturbation of a row's slots; `of_scope` belongs to its scope.
+  Eigen::VectorXd RowDeltas(const CacheRow& row, const Eigen::VectorXd& of_scope) const;
+  void FillColumns(const PoseWithDerivatives& pose, int row_idx);
 
   const DhChain* chain_;
   std::vector<Scope> scopes_;

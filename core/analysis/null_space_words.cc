@@ -36,6 +36,7 @@ class Names {
   /// Joint (from 0) of a joint's parameter, -1 for base and tool.
   int joint(const std::string& name) const {
     const int slot = at(name).slot;
+    if (slot < 0) return -1;
     return slots_.is_joint(slot) ? slot / SlotLayout::kPerJoint : -1;
   }
   bool is_frame(const std::string& name) const { return joint(name) < 0; }
@@ -58,9 +59,12 @@ std::string Join(const std::vector<std::string>& items, const std::string& last_
 std::string Term(double coefficient, const Parameter& parameter, Unit unit_of_sum) {
   std::string text = coefficient < 0 ? " - " : " + ";
   const bool plain = std::abs(std::abs(coefficient) - 1.0) < 5e-3;
-  if (parameter.unit != unit_of_sum) {
-    text += fmt::format(
-        "{:.3g} {}/{} ", std::abs(coefficient), ToString(unit_of_sum), ToString(parameter.unit));
+  if (parameter.unit != unit_of_sum || parameter.unit == Unit::kOther) {
+    text += fmt::format("{:.3g} {}/{} ",
+                        std::abs(coefficient),
+                        ToString(unit_of_sum),
+                        parameter.unit == Unit::kOther ? "(" + parameter.unit_text + ")"
+                                                       : ToString(parameter.unit));
   } else if (!plain) {
     text += fmt::format("{:.3g} ", std::abs(coefficient));
   }
@@ -111,6 +115,7 @@ std::string ParallelOffsets(const RobotModel& robot,
 
 std::string One(const Names& names, MeasurementKind kind, const std::string& name) {
   const Parameter& parameter = names.at(name);
+  if (parameter.group == ParameterGroup::kEffect) return name + " changes no reading";
   if (parameter.unit == Unit::kRadian) {
     if (parameter.group == ParameterGroup::kTool) {
       return name +

@@ -8,6 +8,7 @@
 
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/io/effects_reader.h"
 #include "core/io/parameter_names.h"
 
 namespace dhcal {
@@ -89,12 +90,6 @@ void ReadPrior(const std::string& key,
 
 }  // namespace
 
-void RefuseEffects(YamlMap* map) {
-  const std::optional<YamlValue> effects = map->Find("effects");
-  if (!effects || effects->IsEmptyList()) return;
-  effects->Error("switches physical effects on, which this version does not support; remove it");
-}
-
 void ReadParameters(const YamlValue& value, const RobotModel& robot, ParameterSpec* parameters) {
   YamlMap map(value);
   const int errors_before = value.source()->num_errors();
@@ -111,7 +106,7 @@ void ReadParameters(const YamlValue& value, const RobotModel& robot, ParameterSp
       ReadPrior(key, prior, robot, parameters);
     }
   }
-  RefuseEffects(&map);
+  ReadEffects(&map, robot, /*with_values=*/false, &parameters->effects);
 }
 
 }  // namespace dhcal

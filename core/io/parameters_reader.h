@@ -13,9 +13,6 @@ namespace dhcal {
 /// "base:m", "base:rad", "tool:m" and "tool:rad"; all others are the bare name.
 void ReadParameters(const YamlValue& value, const RobotModel& robot, ParameterSpec* parameters);
 
-/// Refuses a non-empty `effects`, which this version does not know.
-void RefuseEffects(YamlMap* map);
-
 }  // namespace dhcal
 
 #endif  // DHCAL_CORE_IO_PARAMETERS_READER_H_

@@ -10,6 +10,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "core/base/text.h"
+#include "core/io/effects_reader.h"
 #include "core/io/measurement_reader.h"
 #include "core/io/parameters_reader.h"
 #include "core/io/robot_reader.h"
@@ -80,22 +81,6 @@ void CheckSchema(YamlMap* map) {
                            kSchema));
 }
 
-/// Accepts the section only where it asks for nothing.
-void CheckDiagnosis(YamlMap* map) {
-  const std::optional<YamlValue> value = map->Find("diagnosis");
-  if (!value) return;
-  YamlMap diagnosis(*value);
-  if (!diagnosis.valid()) return;
-  diagnosis.Has("effects");
-  diagnosis.Has("false_alarm");
-  const std::optional<YamlValue> run = diagnosis.Find("run");
-  if (run && run->node().IsScalar() && run->node().Scalar() == "never") return;
-  const std::string advice =
-      "this version does not diagnose; write 'run: never' or remove the section 'diagnosis'";
-  const SourceLocation where = run ? run->where() : value->key_where();
-  value->source()->Error(where, advice);
-}
-
 /// Exactly one of `recording` and `simulate`.
 void ReadSourceOfRows(YamlMap* map, const std::string& data_dir, ProblemSpec* spec) {
   const std::optional<YamlValue> recording = map->Find("recording");
@@ -133,7 +118,7 @@ void ReadProblem(const YamlValue& root, const std::string& data_dir, ProblemSpec
     ReadParameters(*parameters, spec->robot, &spec->parameters);
   }
   if (const auto solver = map.Find("solver")) ReadSolver(*solver, &spec->solver);
-  CheckDiagnosis(&map);
+  if (const auto diagnosis = map.Find("diagnosis")) ReadDiagnosis(*diagnosis, &spec->diagnosis);
   ReadSourceOfRows(&map, data_dir, spec);
 }
 

@@ -1,40 +1,15 @@
-// result.json (shared formats, section 3). A number that was not computed
-// (NaN, count -1) has no key, so that a reader cannot mistake it for a value.
-#include <cmath>
+// result.json (shared formats, section 3).
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "core/io/diagnosis_json.h"
+#include "core/io/json_values.h"
 #include "core/io/result_writer.h"
 
 namespace dhcal {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr int kSchema = 1;
-
-void Set(const char* key, double value, Json* object) {
-  if (std::isfinite(value)) (*object)[key] = value;
-}
-
-void SetCount(const char* key, int value, Json* object) {
-  if (value >= 0) (*object)[key] = value;
-}
-
-void SetText(const char* key, const std::string& value, Json* object) {
-  if (!value.empty()) (*object)[key] = value;
-}
-
-/// All or nothing: an array with holes would put numbers at wrong places.
-void SetArray(const char* key, const std::vector<double>& values, Json* object) {
-  if (values.empty()) return;
-  for (const double value : values) {
-    if (!std::isfinite(value)) return;
-  }
-  (*object)[key] = values;
-}
 
 Json TraceToJson(const std::vector<IterationRecord>& trace) {
   Json array = Json::array();
@@ -50,10 +25,14 @@ Json TraceToJson(const std::vector<IterationRecord>& trace) {
   return array;
 }
 
+std::string UnitName(const ParameterResult& parameter) {
+  return parameter.unit == Unit::kOther ? parameter.unit_text : ToString(parameter.unit);
+}
+
 Json ParametersToJson(const std::vector<ParameterResult>& parameters) {
   Json array = Json::array();
   for (const ParameterResult& parameter : parameters) {
-    Json entry = {{"name", parameter.name}, {"unit", ToString(parameter.unit)}};
+    Json entry = {{"name", parameter.name}, {"unit", UnitName(parameter)}};
     Set("nominal", parameter.nominal, &entry);
     Set("correction", parameter.correction, &entry);
     Set("value", parameter.value, &entry);
@@ -191,6 +170,7 @@ std::string ResultToJson(const Result& result) {
     root["baseline"]["base_and_tool_only"] = BaselineToJson(*result.base_and_tool_only);
   }
   if (!result.validation.method.empty()) root["validation"] = ValidationToJson(result.validation);
+  if (result.diagnosis) root["diagnosis"] = DiagnosisToJson(*result.diagnosis);
   root["notes"] = result.notes;
   // A file name need not be UTF-8; a replaced character is better than no result.
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/units.h"
-#include "core/io/parameters_reader.h"
+#include "core/io/effects_reader.h"
 #include "core/io/yaml_map.h"
 
 namespace dhcal {
@@ -152,7 +152,7 @@ void ReadSimulation(const YamlValue& value,
   if (const std::optional<YamlValue> errors = map.Find("errors")) {
     ReadErrors(*errors, robot, simulation);
   }
-  RefuseEffects(&map);
+  ReadEffects(&map, robot, /*with_values=*/true, &simulation->effects);
   map.Read("noise", LengthUnits(), &simulation->noise, Range::AtLeast(0));
   map.Read("noise_rotation", SmallAngleUnits(), &simulation->noise_rotation, Range::AtLeast(0));
   if (simulation->noise_rotation > 0 && kind != MeasurementKind::kPose) {

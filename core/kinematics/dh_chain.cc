@@ -131,4 +131,14 @@ Eigen::Isometry3d DhChain::FlangePose(const Eigen::Ref<const Eigen::VectorXd>& q
   return Pose<double>(q, joints_only, EndFrames());
 }
 
+std::vector<Eigen::Isometry3d> DhChain::LinkFrames(
+    const Eigen::Ref<const Eigen::VectorXd>& q) const {
+  const Eigen::VectorXd no_delta = Eigen::VectorXd::Zero(slots_.size());
+  std::vector<Eigen::Isometry3d> frames{Eigen::Isometry3d::Identity()};
+  for (int i = 0; i < num_joints(); ++i) {
+    frames.push_back(frames.back() * LinkTransform<double>(RowAt<double>(i, q[i], no_delta)));
+  }
+  return frames;
+}
+
 }  // namespace dhcal

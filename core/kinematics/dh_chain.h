@@ -10,6 +10,8 @@
 #ifndef DHCAL_CORE_KINEMATICS_DH_CHAIN_H_
 #define DHCAL_CORE_KINEMATICS_DH_CHAIN_H_
 
+#include <vector>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -58,11 +60,18 @@ class DhChain {
   Eigen::Isometry3d FlangePose(const Eigen::Ref<const Eigen::VectorXd>& q,
                                const Eigen::Ref<const Eigen::VectorXd>& delta) const;
 
+  /// Frames in the base of the base itself and of every link, n + 1 in order: X_BB, X_BL1, ...
+  std::vector<Eigen::Isometry3d> LinkFrames(const Eigen::Ref<const Eigen::VectorXd>& q) const;
+
  private:
   template <typename T>
   struct Row {
     T theta, d, a, alpha, beta;
   };
+
+  /// A_i of a row.
+  template <typename T>
+  Eigen::Transform<T, 3, Eigen::Isometry> LinkTransform(const Row<T>& row) const;
 
   template <typename T>
   Row<T> RowAt(int joint_idx,
@@ -103,10 +112,7 @@ DhChain::Row<T> DhChain::RowAt(
 }
 
 template <typename T>
-Eigen::Transform<T, 3, Eigen::Isometry> DhChain::Pose(
-    const Eigen::Ref<const Eigen::VectorXd>& q,
-    const Eigen::Matrix<T, Eigen::Dynamic, 1>& delta,
-    const EndFrames& ends) const {
+Eigen::Transform<T, 3, Eigen::Isometry> DhChain::LinkTransform(const Row<T>& row) const {
   using Transform = Eigen::Transform<T, 3, Eigen::Isometry>;
   const auto about = [](const T& angle, const Vector3<T>& axis) {
     return Transform(Eigen::AngleAxis<T>(angle, axis));
@@ -115,17 +121,22 @@ Eigen::Transform<T, 3, Eigen::Isometry> DhChain::Pose(
     return Transform(Eigen::Translation<T, 3>(shift));
   };
   const Vector3<T> x = Vector3<T>::UnitX(), y = Vector3<T>::UnitY(), z = Vector3<T>::UnitZ();
-  Transform X = PerturbFrame<T>(ends.X_WB, delta.template segment<6>(slots_.base(0)));
-  for (int i = 0; i < num_joints(); ++i) {
-    const Row<T> row = RowAt<T>(i, q[i], delta);
-    if (robot_.convention == DhConvention::kStandard) {
-      X = X * about(row.theta, z) * along(z * row.d + x * row.a) * about(row.alpha, x) *
-          about(row.beta, y);
-    } else {
-      X = X * about(row.alpha, x) * along(x * row.a) * about(row.beta, y) * about(row.theta, z) *
-          along(z * row.d);
-    }
+  if (robot_.convention == DhConvention::kStandard) {
+    return about(row.theta, z) * along(z * row.d + x * row.a) * about(row.alpha, x) *
+           about(row.beta, y);
   }
+  return about(row.alpha, x) * along(x * row.a) * about(row.beta, y) * about(row.theta, z) *
+         along(z * row.d);
+}
+
+template <typename T>
+Eigen::Transform<T, 3, Eigen::Isometry> DhChain::Pose(
+    const Eigen::Ref<const Eigen::VectorXd>& q,
+    const Eigen::Matrix<T, Eigen::Dynamic, 1>& delta,
+    const EndFrames& ends) const {
+  Eigen::Transform<T, 3, Eigen::Isometry> X =
+      PerturbFrame<T>(ends.X_WB, delta.template segment<6>(slots_.base(0)));
+  for (int i = 0; i < num_joints(); ++i) X = X * LinkTransform<T>(RowAt<T>(i, q[i], delta));
   return X * PerturbFrame<T>(ends.X_TQ, delta.template segment<6>(slots_.tool(0)));
 }
 

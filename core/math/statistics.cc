@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
@@ -18,6 +19,10 @@ double StudentTwoSided(double confidence, double dof) {
 
 double ChiSquareTail(double x, double dof) {
   return boost::math::cdf(boost::math::complement(boost::math::chi_squared(dof), x));
+}
+
+double FTail(double x, double k, double nu) {
+  return boost::math::cdf(boost::math::complement(boost::math::fisher_f(k, nu), std::max(x, 0.0)));
 }
 
 double Median(std::vector<double> values) {

@@ -13,6 +13,9 @@ double StudentTwoSided(double confidence, double dof);
 /// P(chi-square with `dof` degrees of freedom > x).
 double ChiSquareTail(double x, double dof);
 
+/// P(F with `k` and `nu` degrees of freedom > x).
+double FTail(double x, double k, double nu);
+
 /// Median; NaN when empty.
 double Median(std::vector<double> values);
 

@@ -18,10 +18,22 @@ const char* ToString(ParameterGroup group) {
       return "base";
     case ParameterGroup::kTool:
       return "tool";
+    case ParameterGroup::kEffect:
+      return "effect";
   }
   return "?";
 }
 
-const char* ToString(Unit unit) { return unit == Unit::kRadian ? "rad" : "m"; }
+const char* ToString(Unit unit) {
+  switch (unit) {
+    case Unit::kRadian:
+      return "rad";
+    case Unit::kMetre:
+      return "m";
+    case Unit::kOther:
+      return "";
+  }
+  return "?";
+}
 
 }  // namespace dhcal

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "core/base/diagnostics.h"
+#include "core/model/effect_request.h"
 #include "core/model/robot.h"
 
 namespace dhcal {
@@ -42,6 +43,7 @@ struct ParameterSpec {
   std::vector<std::string> estimate = {"theta", "alpha", "a", "d"};
   std::vector<std::string> fix;
   std::map<std::string, double> prior_sigma;  // group or name without unit suffix -> SI
+  std::vector<EffectRequest> effects;         // physics to estimate along with the geometry
   SourceLocation where;
 };
 
@@ -73,9 +75,18 @@ struct SimulationSpec {
   // Errors added to the nominal rows, length n or empty: theta, alpha, a, d, beta.
   Eigen::VectorXd theta, alpha, a, d, beta;
   Eigen::VectorXd base, tool;  // 6 or empty: x y z [m], rx ry rz [rad]
+  std::vector<EffectRequest> effects;  // with values
   double noise = 0;            // [m]
   double noise_rotation = 0;   // [rad] for kind pose
   std::uint64_t seed = 1;
+};
+
+enum class DiagnosisRun { kAuto, kAlways, kNever };
+
+struct DiagnosisSpec {
+  DiagnosisRun run = DiagnosisRun::kAuto;
+  std::vector<std::string> effects;  // names; empty = all of the library
+  double false_alarm = 0.01;         // family-wise
 };
 
 struct ProblemSpec {
@@ -87,6 +98,7 @@ struct ProblemSpec {
   SourceLocation recording_where;
   ParameterSpec parameters;
   SolverSpec solver;
+  DiagnosisSpec diagnosis;
   std::optional<SimulationSpec> simulate;
 };
 

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include "core/model/diagnosis.h"
 #include "core/model/parameter.h"
 #include "core/model/problem_spec.h"
 #include "core/model/recording.h"
@@ -48,6 +49,7 @@ const char* ToString(Verdict verdict);
 struct ParameterResult {
   std::string name;
   Unit unit = Unit::kRadian;
+  std::string unit_text;  // of an effect's parameter
   double nominal = kNotSet;
   double correction = kNotSet;
   double value = kNotSet;
@@ -158,6 +160,7 @@ struct Result {
   std::vector<std::string> coordinate_names;  // of RowResidual's vectors: "x", "y", "z", ...
   std::vector<RowResidual> residuals;
   RobotModel calibrated;  // the robot with the corrected values
+  std::optional<DiagnosisResult> diagnosis;
   bool simulated = false;
   std::vector<std::string> notes;  // warnings a reader of the report should see
 

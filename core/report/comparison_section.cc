@@ -18,11 +18,13 @@ constexpr std::size_t kMostRows = 10;
 
 /// [SI] of the unit that corrections are printed in.
 double PrintedUnit(Unit unit, bool noise_free) {
+  if (unit == Unit::kOther) return 1;
   if (noise_free) return 1e-6;
   return unit == Unit::kRadian ? kMilliradian : kMillimetre;
 }
 
 const char* PrintedUnitName(Unit unit, bool noise_free) {
+  if (unit == Unit::kOther) return "SI";
   if (noise_free) return unit == Unit::kRadian ? "urad" : "um";
   return unit == Unit::kRadian ? "mrad" : "mm";
 }

@@ -83,6 +83,26 @@ std::string UnitTable(const FitResult& fit, Unit unit, bool noise_free) {
   return fmt::format("\n  {}\n{}", units.title, table.ToString());
 }
 
+/// Parameters of physical effects, each in its own SI unit.
+std::string EffectTable(const FitResult& fit) {
+  TextTable table({{"parameter", "", kNameWidth, TextTable::Align::kLeft},
+                   {"value", "", kNumberWidth + 1},
+                   {"+- sigma", "", kNumberWidth + 1},
+                   {"unit", "", 20, TextTable::Align::kLeft},
+                   {"verdict", "", 12, TextTable::Align::kLeft}});
+  bool any = false;
+  for (const ParameterResult& parameter : fit.parameters) {
+    if (parameter.unit != Unit::kOther) continue;
+    any = true;
+    table.AddRow({parameter.name,
+                  Scientific(parameter.value, 3),
+                  Scientific(parameter.sigma, 1),
+                  parameter.unit_text,
+                  ToString(parameter.verdict)});
+  }
+  return any ? "\n  Physical effects\n" + table.ToString() : "";
+}
+
 std::string FixedParameters(const FitResult& fit) {
   std::vector<std::string> names;
   for (const ParameterResult& parameter : fit.parameters) {
@@ -113,6 +133,7 @@ std::string ParameterSection(const Result& result) {
               "Sigma and the 95 % interval are those of the correction. They hold for the "
               "parameters called identified; for the others see the next section.") +
          UnitTable(*fit, Unit::kRadian, noise_free) + UnitTable(*fit, Unit::kMetre, noise_free) +
+         EffectTable(*fit) +
          FixedParameters(*fit);
 }
 

@@ -36,6 +36,9 @@ std::string ValidationSection(const Result& result);
 /// The rows that fit worst.
 std::string ResidualSection(const Result& result);
 
+/// What physics was left out, how sure that is, and what stays hidden.
+std::string DiagnosisSection(const Result& result);
+
 /// What else a reader should know.
 std::string NotesSection(const Result& result);
 

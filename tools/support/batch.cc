@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/io/effects_reader.h"
 #include "core/io/problem_checks.h"
 #include "core/io/problem_reader.h"
 #include "core/io/recording_reader.h"
 #include "core/io/result_writer.h"
 #include "core/io/solver_reader.h"
 #include "core/report/text_report.h"
+#include "problems/diagnosis/diagnose.h"
 #include "problems/identify.h"
 #include "problems/simulate.h"
 #include "tools/support/progress_printer.h"
@@ -34,6 +36,11 @@ void ApplyOverrides(const CommandLine& command_line, ProblemSpec* spec, Diagnost
     diagnostics->Error({},
                        "--method " + command_line.method +
                            ": expected svd_gauss_newton, levenberg_marquardt or both");
+  }
+  if (!command_line.diagnosis.empty() &&
+      !ParseDiagnosisRun(command_line.diagnosis, &spec->diagnosis)) {
+    diagnostics->Error(
+        {}, "--diagnosis " + command_line.diagnosis + ": expected auto, always or never");
   }
   const std::string& tolerance = command_line.singular_value_tolerance;
   if (!tolerance.empty() && !ParseTruncation(tolerance, &spec->solver)) {
@@ -96,6 +103,9 @@ Outcome RunJob(const Job& job, bool quiet) {
   Outcome outcome;
   outcome.problem = job.spec.name;
   outcome.result = IdentifyGeometry(job.spec, job.recording, progress);
+  if (WantsDiagnosis(job.spec, outcome.result)) {
+    outcome.result.diagnosis = Diagnose(job.spec, job.recording, outcome.result, progress);
+  }
   const std::string report = TextReport(job.spec, outcome.result);
   if (!quiet) std::cout << report << std::flush;
 

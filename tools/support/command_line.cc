@@ -7,10 +7,13 @@
 
 #include <gflags/gflags.h>
 
+#include "core/report/effect_list.h"
+
 DEFINE_string(out, "", "result folder, default <problem name>_result");
 DEFINE_string(data_dir, "", "what ${DHCAL_DATA} in a problem file stands for");
 DEFINE_string(method, "", "overrides solver.method of the file");
 DEFINE_string(singular_value_tolerance, "", "overrides solver.singular_value_tolerance");
+DEFINE_string(diagnosis, "", "overrides diagnosis.run of the file");
 DEFINE_bool(quiet, false, "print nothing but errors");
 
 namespace dhcal {
@@ -29,6 +32,8 @@ constexpr char kHelp[] =
   --method M        svd_gauss_newton | levenberg_marquardt | both, instead of the file's
   --singular_value_tolerance T
                     noise | paper | a number, instead of the file's
+  --diagnosis D     auto | always | never: look for left-out physics, instead of the file's
+  --list_effects    print the library of physical effects
   --quiet           print nothing but errors
   --version, --help
 
@@ -79,7 +84,7 @@ class Argument {
 /// Sets one of our flags; an error text when that cannot be done.
 std::string SetFlag(Argument* argument) {
   static const std::set<std::string> kTexts = {
-      "out", "data_dir", "method", "singular_value_tolerance"};
+      "out", "data_dir", "method", "singular_value_tolerance", "diagnosis"};
   const std::string& name = argument->name();
   if (name == "quiet" || name == "noquiet") {
     const std::string value = argument->own_value().value_or(name == "quiet" ? "true" : "false");
@@ -113,6 +118,9 @@ CommandLineStatus ParseCommandLine(int argc, char** argv, CommandLine* command_l
     } else if (argument.name() == "version") {
       std::cout << "ceres_dhcal " << DHCAL_VERSION << "\n";
       return CommandLineStatus::kDone;
+    } else if (argument.name() == "list_effects") {
+      std::cout << EffectList();
+      return CommandLineStatus::kDone;
     } else if (argument.name() == "problem") {
       const std::optional<std::string> value = argument.Value();
       if (!value || value->empty()) return Refuse("flag '--problem' needs a file");
@@ -128,6 +136,7 @@ CommandLineStatus ParseCommandLine(int argc, char** argv, CommandLine* command_l
     const char* const from_environment = std::getenv("DHCAL_DATA");
     if (from_environment != nullptr) command_line->data_dir = from_environment;
   }
+  command_line->diagnosis = FLAGS_diagnosis;
   command_line->method = FLAGS_method;
   command_line->singular_value_tolerance = FLAGS_singular_value_tolerance;
   command_line->quiet = FLAGS_quiet;

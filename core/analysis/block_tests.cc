@@ -1,0 +1,291 @@
+#include "core/analysis/block_tests.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+#include <boost/random/chi_squared_distribution.hpp>
+#include <boost/random/mersenne_twister.hpp>
+#include <glog/logging.h>
+
+#include "core/base/rng.h"
+#include "core/math/statistics.h"
+
+namespace dhcal {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// A column of which less than this share (squared) is left beside geometry and model cannot be
+// told from them (physics.md B.2).
+constexpr double kSmallestShare = 1e-6;
+// Beyond this score no draw comes near; the model is rejected without simulating.
+constexpr double kFarOut = 9.0;
+constexpr int kMostSoft = 200;
+
+/// Eigen-directions of a symmetric matrix scaled to unit norms, above the cut: E with
+/// E E' = pseudo-inverse.
+MatrixXd PseudoRoot(const MatrixXd& S, const VectorXd& norm2) {
+  VectorXd scale = norm2.cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const MatrixXd scaled = scale.asDiagonal() * S * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scaled);
+  Index first = 0;
+  while (first < scaled.rows() && eigen.eigenvalues()[first] <= kSmallestShare) ++first;
+  const Index kept = scaled.rows() - first;
+  return scale.asDiagonal() * eigen.eigenvectors().rightCols(kept) *
+         eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+/// Wilson and Hilferty (1931): chi-square / dof to a normal score.
+double ChiSquareScore(double mean_square, double dof) {
+  const double spread = 2 / (9 * dof);
+  return (std::cbrt(std::max(mean_square, 0.0)) - (1 - spread)) / std::sqrt(spread);
+}
+
+/// Paulson (1942): F to a normal score.
+double FScore(double F, double k, double nu) {
+  const double a = 2 / (9 * k), b = 2 / (9 * nu), root = std::cbrt(std::max(F, 0.0));
+  return ((1 - b) * root - (1 - a)) / std::sqrt(b * root * root + a);
+}
+
+}  // namespace
+
+BlockTests::BlockTests(BlockGram gram,
+                       std::vector<ColumnRange> blocks,
+                       std::vector<bool> in_maximum,
+                       int draws,
+                       std::uint64_t seed)
+    : gram_(std::move(gram)), blocks_(std::move(blocks)), in_maximum_(std::move(in_maximum)) {
+  CHECK_EQ(blocks_.size(), in_maximum_.size());
+  Rng rng(seed);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram_.S);
+  const double cut = 1e-12 * std::max(eigen.eigenvalues().maxCoeff(), 1e-300);
+  Index first = 0;
+  while (first < gram_.S.rows() && eigen.eigenvalues()[first] <= cut) ++first;
+  const Index rank = gram_.S.rows() - first;
+  MatrixXd normal(rank, draws);
+  for (double& value : normal.reshaped()) value = rng.Normal();
+  draws_z_ = eigen.eigenvectors().rightCols(rank) *
+             eigen.eigenvalues().tail(rank).cwiseSqrt().asDiagonal() * normal;
+  draws_rss_ = normal.colwise().squaredNorm().transpose();
+  const double rest = gram_.nu - static_cast<double>(rank);
+  if (rest > 0) {
+    boost::random::mt19937_64 engine(seed + 1);
+    boost::random::chi_squared_distribution<double> chi_square(rest);
+    for (double& value : draws_rss_) value += chi_square(engine);
+  }
+  draws_soft_.resize(kMostSoft, draws);
+  for (double& value : draws_soft_.reshaped()) value = rng.Normal();
+}
+
+std::vector<int> BlockTests::Columns(int block) const {
+  const ColumnRange& range = blocks_[static_cast<std::size_t>(block)];
+  std::vector<int> columns;
+  for (int k = 0; k < range.size; ++k) columns.push_back(range.first + k);
+  return columns;
+}
+
+BlockTests::Conditioned BlockTests::Condition(const BlockModel& model) const {
+  Conditioned c;
+  c.columns = model.columns;
+  c.columns.insert(c.columns.end(), model.soft.begin(), model.soft.end());
+  c.rss = gram_.rss;
+  c.nu = gram_.nu;
+  c.z = gram_.z;
+  if (c.columns.empty()) {
+    c.F.resize(0, 0);
+    c.G.resize(0, gram_.S.cols());
+    return c;
+  }
+  MatrixXd S_AA = gram_.S(c.columns, c.columns);
+  VectorXd norm2 = gram_.norm2(c.columns);
+  const auto hard = static_cast<Index>(model.columns.size());
+  for (Index k = 0; k < static_cast<Index>(model.soft.size()); ++k) {
+    const double precision = 1 / std::max(model.soft_sigma[k] * model.soft_sigma[k], 1e-300);
+    S_AA(hard + k, hard + k) += precision;
+    norm2[hard + k] += precision;
+  }
+  c.F = PseudoRoot(S_AA, norm2);
+  c.G = c.F.transpose() * gram_.S(c.columns, Eigen::all);
+  const VectorXd projected = c.F.transpose() * gram_.z(c.columns);
+  c.z -= c.G.transpose() * projected;
+  c.rss = std::max(c.rss - projected.squaredNorm(), 0.0);
+  // Soft columns take no freedom: their coefficients are part of the noise.
+  const Index rank = c.F.cols() - static_cast<Index>(model.soft.size());
+  c.nu -= static_cast<double>(std::max<Index>(rank, 0));
+  return c;
+}
+
+MatrixXd BlockTests::ConditionalS(const Conditioned& c, int row_block, int col_block) const {
+  const ColumnRange& r = blocks_[static_cast<std::size_t>(row_block)];
+  const ColumnRange& s = blocks_[static_cast<std::size_t>(col_block)];
+  MatrixXd S = gram_.S.block(r.first, s.first, r.size, s.size);
+  if (c.G.rows() > 0) {
+    S -= c.G.middleCols(r.first, r.size).transpose() * c.G.middleCols(s.first, s.size);
+  }
+  return S;
+}
+
+MatrixXd BlockTests::Factor(const Conditioned& c, int block) const {
+  const ColumnRange& range = blocks_[static_cast<std::size_t>(block)];
+  return PseudoRoot(ConditionalS(c, block, block), gram_.norm2.segment(range.first, range.size));
+}
+
+double BlockTests::NormalScore(double Q, int k, double rss, double nu) const {
+  if (gram_.sigma_known) return ChiSquareScore(Q / k, k);
+  const double rest = nu - k;
+  if (rest < 1) return 0;
+  const double noise = std::max(rss - Q, 1e-300) / rest;
+  return FScore(Q / k / noise, k, rest);
+}
+
+double BlockTests::LackOfFit(double rss, double nu) const {
+  return gram_.sigma_known && nu > 0 ? ChiSquareScore(rss / nu, nu) : -1e300;
+}
+
+std::vector<BlockScore> BlockTests::Scores(const BlockModel& model) const {
+  const Conditioned c = Condition(model);
+  std::vector<BlockScore> scores(blocks_.size());
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const MatrixXd factor = Factor(c, static_cast<int>(b));
+    BlockScore& score = scores[b];
+    score.k = static_cast<int>(factor.cols());
+    if (score.k == 0) continue;
+    const ColumnRange& range = blocks_[b];
+    score.Q = (factor.transpose() * c.z.segment(range.first, range.size)).squaredNorm();
+    score.z = NormalScore(score.Q, score.k, c.rss, c.nu);
+    const double rest = c.nu - score.k;
+    score.p = gram_.sigma_known ? ChiSquareTail(score.Q, score.k)
+              : rest >= 1
+                  ? FTail(score.Q / score.k / (std::max(c.rss - score.Q, 1e-300) / rest),
+                          score.k,
+                          rest)
+                  : 1.0;
+  }
+  return scores;
+}
+
+ModelTest BlockTests::Test(const BlockModel& model, const VectorXd& excused) const {
+  const Conditioned c = Condition(model);
+  ModelTest test;
+  test.rss = c.rss;
+  test.nu = c.nu;
+  test.T = LackOfFit(c.rss, c.nu);
+  std::vector<MatrixXd> factors(blocks_.size());
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (!in_maximum_[b]) continue;
+    factors[b] = Factor(c, static_cast<int>(b));
+    if (factors[b].cols() == 0) continue;
+    const ColumnRange& range = blocks_[b];
+    const double Q = (factors[b].transpose() * c.z.segment(range.first, range.size)).squaredNorm();
+    if (excused.size() > 0 && Q < excused[static_cast<Index>(b)]) continue;
+    const double score = NormalScore(Q, static_cast<int>(factors[b].cols()), c.rss, c.nu);
+    if (score > test.T) {
+      test.T = score;
+      test.worst = static_cast<int>(b);
+    }
+  }
+  const double draws = static_cast<double>(draws_rss_.size());
+  if (test.T > kFarOut) {
+    test.p = 1 / (draws + 1);
+    return test;
+  }
+  const std::vector<double> maxima = NullMaxima(model, c, factors);
+  const auto above =
+      std::count_if(maxima.begin(), maxima.end(), [&](double T) { return T >= test.T; });
+  test.p = (1 + static_cast<double>(above)) / (draws + 1);
+  return test;
+}
+
+bool BlockTests::MayFit(const BlockModel& model,
+                        const std::vector<int>& order,
+                        double limit,
+                        const VectorXd& excused) const {
+  const Conditioned c = Condition(model);
+  if (LackOfFit(c.rss, c.nu) > limit) return false;
+  for (const int b : order) {
+    if (!in_maximum_[static_cast<std::size_t>(b)]) continue;
+    const MatrixXd factor = Factor(c, b);
+    if (factor.cols() == 0) continue;
+    const ColumnRange& range = blocks_[static_cast<std::size_t>(b)];
+    const double Q = (factor.transpose() * c.z.segment(range.first, range.size)).squaredNorm();
+    if (excused.size() > 0 && Q < excused[b]) continue;
+    if (NormalScore(Q, static_cast<int>(factor.cols()), c.rss, c.nu) > limit) return false;
+  }
+  return true;
+}
+
+std::vector<double> BlockTests::NullMaxima(const BlockModel& model,
+                                           const Conditioned& c,
+                                           const std::vector<MatrixXd>& factors) const {
+  MatrixXd z = draws_z_;
+  VectorXd rss = draws_rss_;
+  if (!c.columns.empty()) {
+    const auto num_soft = std::min<Index>(static_cast<Index>(model.soft.size()), kMostSoft);
+    if (num_soft > 0) {
+      // A soft column's coefficient is drawn anew in each draw; its rows join the residual.
+      const std::vector<int> soft(model.soft.begin(), model.soft.begin() + num_soft);
+      const MatrixXd coefficients =
+          model.soft_sigma.head(num_soft).asDiagonal() * draws_soft_.topRows(num_soft);
+      const MatrixXd S_soft = gram_.S(Eigen::all, soft);
+      rss += 2 * (draws_z_(soft, Eigen::all).cwiseProduct(coefficients)).colwise().sum().transpose();
+      rss += (coefficients.cwiseProduct(S_soft(soft, Eigen::all) * coefficients))
+                 .colwise()
+                 .sum()
+                 .transpose();
+      z += S_soft * coefficients;
+    }
+    const MatrixXd projected = c.F.transpose() * z(c.columns, Eigen::all);
+    z -= c.G.transpose() * projected;
+    rss -= projected.colwise().squaredNorm().transpose();
+  }
+  std::vector<double> maxima(static_cast<std::size_t>(rss.size()));
+  for (Index d = 0; d < rss.size(); ++d) {
+    maxima[static_cast<std::size_t>(d)] = LackOfFit(rss[d], c.nu);
+  }
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (!in_maximum_[b] || factors[b].cols() == 0) continue;
+    const ColumnRange& range = blocks_[b];
+    const Eigen::RowVectorXd Q =
+        (factors[b].transpose() * z.middleRows(range.first, range.size)).colwise().squaredNorm();
+    for (Index d = 0; d < Q.size(); ++d) {
+      double& maximum = maxima[static_cast<std::size_t>(d)];
+      maximum =
+          std::max(maximum, NormalScore(Q[d], static_cast<int>(factors[b].cols()), rss[d], c.nu));
+    }
+  }
+  return maxima;
+}
+
+VectorXd BlockTests::Estimate(const BlockModel& model) const {
+  const Conditioned c = Condition(model);
+  return (c.F * (c.F.transpose() * gram_.z(c.columns)))
+      .head(static_cast<Index>(model.columns.size()));
+}
+
+MatrixXd BlockTests::Covariance(const BlockModel& model) const {
+  const Conditioned c = Condition(model);
+  const auto hard = static_cast<Index>(model.columns.size());
+  return (c.F * c.F.transpose()).topLeftCorner(hard, hard);
+}
+
+double BlockTests::Removed(const BlockModel& model) const {
+  return gram_.rss - Condition(model).rss;
+}
+
+double BlockTests::Overlap(int block, int other, const BlockModel& model) const {
+  const Conditioned c = Condition(model);
+  const MatrixXd a = Factor(c, block), b = Factor(c, other);
+  if (a.cols() == 0 || b.cols() == 0) return 0;
+  const MatrixXd cosines = a.transpose() * ConditionalS(c, block, other) * b;
+  return std::sqrt(
+      std::max(0.0,
+               Eigen::SelfAdjointEigenSolver<MatrixXd>(cosines * cosines.transpose())
+                   .eigenvalues()
+                   .maxCoeff()));
+}
+
+}  // namespace dhcal

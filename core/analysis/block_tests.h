@@ -1,0 +1,121 @@
+// Which columns does the residual ask for? Score tests of many blocks of columns at once, from a
+// small Gram matrix, with a Monte-Carlo calibrated maximum.
+//
+// All rows are whitened and projected off the geometry (M). With X the columns of all blocks,
+//   S = X' M X,  z = X' M y,  rss = y' M y,  nu = rows - rank of the geometry
+// hold all that the tests need: their cost does not depend on the number of rows. Shared physics.md
+// B.2 to B.4; the confidence set over hypotheses is B.4.
+#ifndef DHCAL_CORE_ANALYSIS_BLOCK_TESTS_H_
+#define DHCAL_CORE_ANALYSIS_BLOCK_TESTS_H_
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace dhcal {
+
+struct BlockGram {
+  Eigen::MatrixXd S;
+  Eigen::VectorXd z;
+  Eigen::VectorXd norm2;  // x'x of each column before the projection
+  double rss = 0;
+  double nu = 0;
+  bool sigma_known = false;  // rows are whitened by a known sigma (else only up to a factor)
+};
+
+/// Columns of one block.
+struct ColumnRange {
+  int first = 0;
+  int size = 0;
+};
+
+/// What is fitted besides the geometry. Soft columns are nuisances of known spread: coefficients
+/// are normal with these standard deviations (in the units of the whitened rows).
+struct BlockModel {
+  std::vector<int> columns;
+  std::vector<int> soft;
+  Eigen::VectorXd soft_sigma;
+};
+
+struct BlockScore {
+  double Q = 0;  // squares that the block would remove
+  int k = 0;     // columns that can be told from the model
+  double z = 0;  // normal score of the test, large = asked for
+  double p = 1;  // of this block alone
+};
+
+struct ModelTest {
+  double T = 0;       // largest score
+  int worst = -1;     // block that has it; -1 = the lack of fit against the known sigma
+  double p = 1;       // Monte-Carlo probability of T or more under the model
+  double rss = 0;     // left
+  double nu = 0;
+};
+
+class BlockTests {
+ public:
+  /// `blocks` are all scored; those of `in_maximum` decide T.
+  BlockTests(BlockGram gram,
+             std::vector<ColumnRange> blocks,
+             std::vector<bool> in_maximum,
+             int draws,
+             std::uint64_t seed);
+
+  const BlockGram& gram() const { return gram_; }
+  const std::vector<ColumnRange>& blocks() const { return blocks_; }
+  std::vector<int> Columns(int block) const;
+
+  /// Score of every block beside the model.
+  std::vector<BlockScore> Scores(const BlockModel& model) const;
+
+  /// Tests the model. Blocks of `excused` (index -> largest Q that is immaterial) below their limit
+  /// do not count.
+  ModelTest Test(const BlockModel& model, const Eigen::VectorXd& excused = {}) const;
+
+  /// False when some block's score (in the order given) already exceeds `limit`.
+  bool MayFit(const BlockModel& model,
+              const std::vector<int>& order,
+              double limit,
+              const Eigen::VectorXd& excused) const;
+
+  /// Coefficients of a model's columns, in units of the columns.
+  Eigen::VectorXd Estimate(const BlockModel& model) const;
+  /// Covariance of these coefficients for noise of unit variance.
+  Eigen::MatrixXd Covariance(const BlockModel& model) const;
+  /// Squares that the model's columns remove.
+  double Removed(const BlockModel& model) const;
+
+  /// Cosine of the largest angle-sharing direction of two blocks beside the model: 1 = one of them
+  /// can do all that the other does in some direction.
+  double Overlap(int block, int other, const BlockModel& model) const;
+
+ private:
+  /// G with S|model = S - G'G, and F with G = F' S_A,: A the model's columns.
+  struct Conditioned {
+    Eigen::MatrixXd F, G;
+    Eigen::VectorXd z;
+    double rss = 0, nu = 0;
+    std::vector<int> columns;
+  };
+  Conditioned Condition(const BlockModel& model) const;
+  /// E with Q = |E' z|^2 for a block; its columns count k.
+  Eigen::MatrixXd Factor(const Conditioned& c, int block) const;
+  Eigen::MatrixXd ConditionalS(const Conditioned& c, int row_block, int col_block) const;
+  double NormalScore(double Q, int k, double rss, double nu) const;
+  double LackOfFit(double rss, double nu) const;
+  std::vector<double> NullMaxima(const BlockModel& model,
+                                 const Conditioned& c,
+                                 const std::vector<Eigen::MatrixXd>& factors) const;
+
+  BlockGram gram_;
+  std::vector<ColumnRange> blocks_;
+  std::vector<bool> in_maximum_;
+  Eigen::MatrixXd draws_z_;    // columns x draws: X' M e
+  Eigen::VectorXd draws_rss_;  // e' M e
+  Eigen::MatrixXd draws_soft_;
+};
+
+}  // namespace dhcal
+
+#endif  // DHCAL_CORE_ANALYSIS_BLOCK_TESTS_H_

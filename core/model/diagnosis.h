@@ -1,0 +1,145 @@
+// What a diagnosis found: plain data in SI units, written by core/io and core/report (shared
+// formats, section 3, key `diagnosis`).
+#ifndef DHCAL_CORE_MODEL_DIAGNOSIS_H_
+#define DHCAL_CORE_MODEL_DIAGNOSIS_H_
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/model/effect_request.h"
+
+namespace dhcal {
+
+enum class DiagnosisVerdict { kConsistent, kExplained, kPartlyExplained, kAmbiguous, kUnexplained };
+
+/// "consistent", "explained", "partly_explained", "ambiguous", "unexplained".
+const char* ToString(DiagnosisVerdict verdict);
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Is there anything? Residuals of the complete geometry against the noise.
+struct Misfit {
+  double statistic = kUnknown;  // chi-square, or the largest score of all tests
+  double dof = kUnknown;
+  double p_value = kUnknown;      // family-wise, that nothing is left out
+  double noise_sigma = kUnknown;  // [m]
+  bool noise_known = false;
+  double rms = kUnknown;  // [m] per coordinate, complete geometry
+  int rows = -1;
+  int outliers = -1;  // rows set aside
+};
+
+/// One cell of the mismatch map.
+struct MapEntry {
+  std::string slot;    // "theta3", "tool", "base"
+  std::string driver;  // "q2", "time", "payload", a column's name
+  double statistic = kUnknown;
+  double dof = kUnknown;
+  double p_value = kUnknown;  // of this cell alone
+  double rms = kUnknown;      // [m] of readings that it would explain
+};
+
+struct HypothesisResult {
+  std::vector<EffectRequest> effects;  // empty = geometry only
+  double p_value = kUnknown;
+  bool kept = false;
+};
+
+struct FoundParameter {
+  std::string name;
+  double value = kUnknown;
+  double sigma = kUnknown;
+  double ci95_low = kUnknown, ci95_high = kUnknown;
+  std::string unit;
+};
+
+struct Confusable {
+  EffectRequest effect;
+  std::string location;
+  double overlap = kUnknown;  // cosine of the two signatures beside the geometry
+};
+
+struct SeparatingPose {
+  Eigen::VectorXd q;      // [rad] or [m]
+  double payload = kUnknown;  // [kg] where it matters
+};
+
+struct Finding {
+  EffectRequest effect;
+  std::string effect_class, location, driver;
+  std::vector<FoundParameter> parameters;
+  std::string sentence;
+  std::vector<std::string> cautions;  // sign, size, replication
+  double p_value = kUnknown;
+  double rms_train_before = kUnknown, rms_train_after = kUnknown;  // [m]
+  double rms_test_before = kUnknown, rms_test_after = kUnknown;    // [m]
+  double delta_bic = kUnknown;  // > 0 speaks for the effect
+  double delta_log_predictive = kUnknown;
+  double log_predictive_standard_error = kUnknown;
+  std::vector<Confusable> confusable_with;
+  std::string separating_advice;
+  std::vector<SeparatingPose> separating_poses;
+};
+
+/// A geometric parameter that had swallowed part of the effects.
+struct MovedParameter {
+  std::string name;
+  std::string unit;
+  double before = kUnknown, after = kUnknown;  // correction without and with the effects
+  double sigma = kUnknown;                     // of it with the effects
+};
+
+struct CurvePoint {
+  double driver_value = kUnknown;
+  double amount = kUnknown;
+  double sigma = kUnknown;
+};
+
+struct Unexplained {
+  double fraction = kUnknown;  // of the misfit above the noise
+  std::string slot, driver;
+  std::string unit;  // of amount
+  double rms = kUnknown;  // [m]
+  std::vector<CurvePoint> curve;
+};
+
+/// What cannot be seen, and what it could do.
+struct HiddenRisk {
+  EffectRequest effect;
+  double visibility = kUnknown;  // part of its movement that the geometry cannot absorb
+  double limit = kUnknown;       // smallest first parameter found with 90 % probability, SI
+  std::string unit;
+  double risk = kUnknown;  // [m] largest error elsewhere that it may cause unseen (95 %)
+};
+
+struct NotTestable {
+  std::string effect;
+  std::string reason;
+};
+
+struct DiagnosisResult {
+  DiagnosisVerdict verdict = DiagnosisVerdict::kConsistent;
+  std::string summary;  // one sentence
+  double false_alarm = kUnknown;
+  Misfit misfit;
+  std::vector<MapEntry> map;
+  std::vector<HypothesisResult> hypotheses;
+  std::vector<Finding> findings;  // geometry first
+  std::vector<MovedParameter> moved;
+  std::optional<Unexplained> unexplained;
+  std::vector<HiddenRisk> hidden;
+  std::vector<NotTestable> not_testable;
+  std::vector<std::string> notes;
+  std::string validation_method;
+  double rms_train_before = kUnknown, rms_train_after = kUnknown;  // [m] complete geometry; + all
+  double rms_test_before = kUnknown, rms_test_after = kUnknown;
+  double seconds = kUnknown;
+};
+
+}  // namespace dhcal
+
+#endif  // DHCAL_CORE_MODEL_DIAGNOSIS_H_

@@ -1,0 +1,102 @@
+// The circumstances of every pose of a recording, as effects need them: joint angles, axes,
+// gravity loads, approach directions, time.
+#ifndef DHCAL_CORE_PHYSICS_CONTEXT_H_
+#define DHCAL_CORE_PHYSICS_CONTEXT_H_
+
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "core/kinematics/dh_chain.h"
+#include "core/model/recording.h"
+#include "core/model/robot.h"
+
+namespace dhcal {
+
+/// A twist of all that lies beyond some place of the chain, in base coordinates.
+struct Twist {
+  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();     // [rad]
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();  // [m] of the point `at`
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();           // [m]
+};
+
+/// Immutable. Joints and links count from 0 here. Everything is at the nominal robot.
+class PhysicsContext {
+ public:
+  /// `X_WB`: base of each run (one entry = the same for all). `robot` and `recording` must
+  /// outlive the context.
+  PhysicsContext(const RobotModel& robot,
+                 const Recording& recording,
+                 std::vector<Eigen::Isometry3d> X_WB);
+
+  const RobotModel& robot() const { return robot_; }
+  const Recording& recording() const { return recording_; }
+  const SlotLayout& slots() const { return chain_.slots(); }
+  int num_rows() const { return recording_.num_rows(); }
+  int num_joints() const { return robot_.num_joints(); }
+  bool revolute(int joint) const { return row(joint).type == JointType::kRevolute; }
+
+  /// Joint coordinate in DH's sense [rad or m], per row; without the row's offset.
+  Eigen::VectorXd q(int joint) const { return row(joint).sign * recording_.q.col(joint); }
+  /// Slot that the joint drives: theta, or d of a prismatic one.
+  int joint_slot(int joint) const {
+    return slots().joint(joint, revolute(joint) ? JointSlot::kTheta : JointSlot::kD);
+  }
+  double sign(int joint) const { return row(joint).sign; }
+
+  /// Frame of link `link` in B at a row; link -1 = the base itself.
+  const Eigen::Isometry3d& X_BL(int row_idx, int link) const {
+    return frames_[static_cast<std::size_t>(row_idx) * static_cast<std::size_t>(num_joints() + 1) +
+                   static_cast<std::size_t>(link + 1)];
+  }
+  /// Unit vector of a joint's axis in B, and a point on it.
+  Eigen::Vector3d axis(int row_idx, int joint) const {
+    return X_BL(row_idx, axis_link(joint)).linear().col(2);
+  }
+  Eigen::Vector3d axis_point(int row_idx, int joint) const {
+    return X_BL(row_idx, axis_link(joint)).translation();
+  }
+  const Eigen::Isometry3d& X_WB(int row_idx) const {
+    return X_WB_.size() == 1 ? X_WB_[0] : X_WB_[static_cast<std::size_t>(recording_.run(row_idx))];
+  }
+  /// Measured point Q in W: as measured, else at the nominal robot [m].
+  Eigen::Vector3d p_WQ(int row_idx) const;
+
+  /// The six base slots' perturbation that moves Q as the twist does, to first order.
+  Eigen::Matrix<double, 6, 1> AsBaseSlots(int row_idx, const Twist& twist) const;
+
+  /// Payload of a row [kg]: its column, else the robot's.
+  double payload(int row_idx) const;
+  bool payload_varies() const;
+
+  /// Sense (DH's) of each joint's last motion, -1, 0 or 1: the column, else from the previous rows
+  /// of the run. 0 = not known.
+  const Eigen::MatrixXd& direction() const { return direction_; }
+
+  bool has_time() const { return recording_.time.size() > 0 && recording_.time.allFinite(); }
+  /// Seconds since the first row; the row's number where there is no clock.
+  const Eigen::VectorXd& clock() const { return clock_; }
+  double duration() const { return duration_; }
+
+ private:
+  const JointRow& row(int joint) const { return robot_.joints[static_cast<std::size_t>(joint)]; }
+  int axis_link(int joint) const {
+    return robot_.convention == DhConvention::kStandard ? joint - 1 : joint;
+  }
+  void FillDirections();
+  void FillClock();
+
+  const RobotModel& robot_;
+  const Recording& recording_;
+  DhChain chain_;
+  std::vector<Eigen::Isometry3d> X_WB_;
+  std::vector<Eigen::Isometry3d> frames_;  // num_rows x (n + 1)
+  Eigen::MatrixXd direction_;
+  Eigen::VectorXd clock_;
+  double duration_ = 0;
+};
+
+}  // namespace dhcal
+
+#endif  // DHCAL_CORE_PHYSICS_CONTEXT_H_

@@ -1,0 +1,22 @@
+#include "core/physics/effect.h"
+
+#include <fmt/format.h>
+
+namespace dhcal {
+
+std::string ParameterName(const EffectRequest& request, const std::string& parameter) {
+  if (request.joint == 0) return request.effect + "." + parameter;
+  return fmt::format("{}.{}.{}", request.effect, request.joint, parameter);
+}
+
+std::string InstanceName(const EffectRequest& request) {
+  std::string name = request.effect;
+  if (request.joint > 0) name += fmt::format(" at joint {}", request.joint);
+  std::string settings;
+  for (const auto& [key, value] : request.settings) {
+    settings += fmt::format("{}{} {:.6g}", settings.empty() ? "" : ", ", key, value);
+  }
+  return settings.empty() ? name : name + " (" + settings + ")";
+}
+
+}  // namespace dhcal

@@ -1,0 +1,102 @@
+// Lost motion of a joint: which flank of the gear touches.
+//
+//   d theta_j = (b / 2) s_j                  b [rad] full width
+//
+// s_j = sense of the last motion (the `dir` columns, else from the previous row of the run). With
+// the setting flank = 1 gravity preloads the gear and decides: s_j = sign of gravity's torque.
+// Friction wind-up looks the same (the residual friction torque changes sign with the approach):
+// nothing in static readings tells the two apart, so the finding names both.
+// b < 0 by approach direction is no play: the controller overcompensates, or it is wind-up of the
+// measured side.
+// Typical: 0.1-0.3 mrad (RV lost motion 1 arcmin). Source: physics.md B1, F1.
+// Worked number: b = 0.3 mrad, last motion in the negative sense: -0.15 mrad.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/physics/columns.h"
+#include "core/physics/gravity.h"
+
+namespace dhcal {
+namespace {
+
+bool ByTorque(const EffectRequest& request) { return request.setting("flank", 0) != 0; }
+
+Eigen::VectorXd Flank(const PhysicsContext& c, const EffectRequest& request) {
+  const int joint = JointIndex(request);
+  if (!ByTorque(request)) return c.direction().col(joint);
+  const Eigen::VectorXd torque = GravityTorque(c, MassCases(c, joint).front(), joint);
+  return torque.unaryExpr([](double t) { return t > 0 ? 1.0 : t < 0 ? -1.0 : 0.0; });
+}
+
+class BacklashEffect final : public Effect {
+ public:
+  EffectDescription Describe() const override {
+    return {"backlash",
+            "play or friction wind-up: a joint stops short, depending on the approach",
+            "d theta_j = (b / 2) s_j",
+            "width [rad]",
+            {{"flank", "0 = approach direction, 1 = sign of gravity torque"}},
+            "dir<j>, or poses in the order of the motion; robot.links with flank = 1",
+            "0.1-0.3 mrad [physics.md B1, F1]"};
+  }
+  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
+    if (const std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+    if (ByTorque(request)) {
+      if (c.robot().links.empty()) return "the masses (robot.links) are not given";
+      if (!GravityLoads(c, JointIndex(request))) return "gravity does not load this joint";
+    }
+    const Eigen::VectorXd flank = Flank(c, request);
+    const double share = (flank.array() > 0).cast<double>().mean();
+    // A handful of rows on the other side are no experiment.
+    if (share < 0.02 || share > 0.98) return "all poses are approached from the same side";
+    return "";
+  }
+  std::vector<EffectColumn> Columns(const PhysicsContext& c,
+                                    const EffectRequest& request) const override {
+    return {SlotColumn(
+        "width", "rad", 2e-4, c.joint_slot(JointIndex(request)), 0.5 * Flank(c, request))};
+  }
+  std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
+    std::vector<EffectRequest> requests = EveryJoint(c, "backlash", /*revolute_only=*/false);
+    const auto count = requests.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      EffectRequest by_torque = requests[k];
+      by_torque.settings["flank"] = 1;
+      if (NotTestable(c, by_torque).empty()) requests.push_back(by_torque);
+    }
+    return requests;
+  }
+  EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& request) const override {
+    return {"C4",
+            JointName(request.joint),
+            ByTorque(request) ? "sign of gravity torque" : "approach direction"};
+  }
+  std::string Sentence(const EffectRequest& request,
+                       const std::vector<EffectValue>& values) const override {
+    return fmt::format("joint {} has play or friction wind-up of {} in all, decided by {}",
+                       request.joint,
+                       Quantity(Find(values, "width"), 1e-3, "mrad"),
+                       ByTorque(request) ? "the sign of its gravity torque"
+                                         : "the direction from which it was approached");
+  }
+  WorkedExample Example() const override {
+    WorkedExample example;
+    example.request.effect = "backlash";
+    example.request.joint = 4;
+    example.request.values["width"] = 3e-4;
+    example.row = 2;
+    example.slot = "theta4";
+    example.expected = -1.5e-4;
+    return example;
+  }
+};
+
+}  // namespace
+
+const Effect& Backlash() {
+  static const BacklashEffect effect;
+  return effect;
+}
+
+}  // namespace dhcal

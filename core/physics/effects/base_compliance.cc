@@ -1,0 +1,128 @@
+// Yielding of the base or floor: the whole robot tilts under its overturning moment.
+//
+//   rotation of the base (phi_x, phi_y) = (C_x M_x, C_y M_y)        [rad], C [rad/(N m)]
+//
+// M: gravity's moment about the base's origin, in base axes. A static tilt is geometry (base_rx,
+// base_ry). Equal C_x = C_y (a round pedestal) looks much like compliance of joint 2; unequal ones
+// are seen by turning joint 1.
+// Typical: 1e-8-1e-7 rad/(N m) bolted to concrete, 1e-7-1e-6 on a steel frame. Source: physics.md E4.
+// Worked number: row 0 of the example has M_y = +665 N m; 1e-7 rad/(N m) tilt it by 66.5 urad.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/physics/columns.h"
+#include "core/physics/gravity.h"
+
+namespace dhcal {
+namespace {
+
+constexpr double kTypical = 1e-7;  // [rad/(N m)]
+
+class BaseComplianceEffect final : public Effect {
+ public:
+  EffectDescription Describe() const override {
+    EffectDescription d{"base_compliance",
+                        "base or floor tilts under the robot's overturning moment",
+                        "(phi_x, phi_y) = (C_x M_x, C_y M_y)",
+                        "compliance_x, compliance_y [rad/(N m)]; without masses one pair of "
+                        "products per moment",
+                        {},
+                        "robot.links for C itself",
+                        "0.01-1 urad/(N m) [physics.md E4]"};
+    d.has_joint = false;
+    return d;
+  }
+
+  std::string NotTestable(const PhysicsContext& c,
+                          const EffectRequest& /*request*/) const override {
+    return FirstLoadedJoint(c) >= 0 ? "" : "gravity does not load any joint";
+  }
+
+  std::vector<EffectColumn> Columns(const PhysicsContext& c,
+                                    const EffectRequest& /*request*/) const override {
+    std::vector<EffectColumn> columns;
+    for (const MassCase& mass_case : MassCases(c, FirstLoadedJoint(c))) {
+      const bool known = mass_case.name.empty();
+      for (int axis = 0; axis < 2; ++axis) {
+        const std::string name = std::string("compliance_") + (axis == 0 ? "x" : "y");
+        columns.push_back(Column(c,
+                                 mass_case,
+                                 axis == 0,
+                                 axis == 1,
+                                 known ? name : name + "_x_" + mass_case.name,
+                                 known ? "rad/(N m)" : "rad/(N m) " + mass_case.unit));
+        columns.back().positive = known;
+      }
+    }
+    return columns;
+  }
+
+  std::vector<EffectColumn> ShapeErrors(const PhysicsContext& c,
+                                        const EffectRequest& /*request*/) const override {
+    std::vector<EffectColumn> columns;
+    for (const MassCase& error : MassErrors(c)) {
+      columns.push_back(Column(c, error, true, true, "mass_error", "rad/(N m)"));
+    }
+    return columns;
+  }
+
+  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override {
+    EffectRequest request;
+    request.effect = "base_compliance";
+    return {request};
+  }
+
+  EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
+    return {"C1", "base", "overturning moment"};
+  }
+
+  std::string Sentence(const EffectRequest& /*request*/,
+                       const std::vector<EffectValue>& values) const override {
+    const EffectValue x = Find(values, "compliance_x"), y = Find(values, "compliance_y");
+    if (x.sigma <= 0) {
+      return "the base tilts under the robot's weight (the masses are not known, so only products "
+             "with its compliance are)";
+    }
+    return fmt::format("the base tilts under the robot's overturning moment, {} about its x axis "
+                       "and {} about y",
+                       Quantity(x, 1e-6, "urad per N m"),
+                       Quantity(y, 1e-6, "urad per N m"));
+  }
+
+  WorkedExample Example() const override {
+    WorkedExample example;
+    example.request.effect = "base_compliance";
+    example.request.values["compliance_y"] = 1e-7;
+    example.row = 0;
+    example.slot = "base_ry";
+    // Links of 100 N each at x = 0.3, 0.95, 1.105 m (links 1, 2, 3) and 1.105 m (links 4, 5, 6).
+    example.expected = 1e-7 * 100 * (0.3 + 0.95 + 4 * 1.105);
+    return example;
+  }
+
+ private:
+  static EffectColumn Column(const PhysicsContext& c,
+                             const MassCase& mass_case,
+                             bool about_x,
+                             bool about_y,
+                             const std::string& name,
+                             const std::string& unit) {
+    return TwistColumn(c, name, unit, kTypical * mass_case.typical, [&](int row) {
+      const Load load = GravityLoad(c, mass_case, row, 0, Eigen::Vector3d::Zero());
+      Twist twist;
+      if (about_x) twist.rotation.x() = load.moment.x();
+      if (about_y) twist.rotation.y() = load.moment.y();
+      return twist;
+    });
+  }
+};
+
+}  // namespace
+
+const Effect& BaseCompliance() {
+  static const BaseComplianceEffect effect;
+  return effect;
+}
+
+}  // namespace dhcal

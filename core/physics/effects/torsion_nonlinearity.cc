@@ -1,0 +1,97 @@
+// Nonlinear torsion of a gear: stiffer under load than around zero torque.
+//
+//   d theta_j = c3 tau_j^3                   c3 [rad/(N m)^3], tau_j [N m] gravity's torque
+//
+// Added to joint_compliance it describes the soft zone of harmonic drives and cycloid gears (three
+// stiffness regions K1 < K2 < K3): c3 < 0 beside c > 0. Needs masses: a cube of unknown moments is
+// not linear in them.
+// Typical: K2/K1 = 1.3-1.6, so c3 tau^2 is about -0.1 c at the largest torque. Source: physics.md G4.
+// Worked number: row 2 of the example, tau_3 = 0 N m carried: see the conformance test.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/physics/columns.h"
+#include "core/physics/gravity.h"
+
+namespace dhcal {
+namespace {
+
+class TorsionNonlinearityEffect final : public Effect {
+ public:
+  EffectDescription Describe() const override {
+    return {"torsion_nonlinearity",
+            "a gear is softer around zero torque than under load",
+            "d theta_j = c3 tau_j^3",
+            "cubic [rad/(N m)^3]",
+            {{"measured_torque", "1 = use the torque column"}},
+            "robot.links, or torque<j>_Nm with measured_torque",
+            "a tenth of the linear yield at the largest torque [physics.md G4]"};
+  }
+
+  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
+    if (const std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+    const int joint = JointIndex(request);
+    if (request.setting("measured_torque", 0) != 0) {
+      return HasMeasuredTorque(c, joint) ? "" : "the recording has no torque of this joint";
+    }
+    if (c.robot().links.empty()) return "the masses (robot.links) are not given";
+    return GravityLoads(c, joint) ? "" : "gravity does not load this joint";
+  }
+
+  std::vector<EffectColumn> Columns(const PhysicsContext& c,
+                                    const EffectRequest& request) const override {
+    const int joint = JointIndex(request);
+    const Eigen::VectorXd torque = request.setting("measured_torque", 0) != 0
+                                       ? MeasuredLoad(c, joint)
+                                       : GravityTorque(c, MassCases(c, joint).front(), joint);
+    const double largest = std::max(torque.cwiseAbs().maxCoeff(), 1.0);
+    // A twentieth of a milliradian at the largest torque.
+    const double typical = 5e-5 / (largest * largest * largest);
+    return {SlotColumn("cubic",
+                       "rad/(N m)^3",
+                       typical,
+                       c.joint_slot(joint),
+                       torque.array().cube().matrix())};
+  }
+
+  std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
+    return EveryJoint(c, "torsion_nonlinearity");
+  }
+
+  EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {
+    return {JointIndex(request) == FirstLoadedJoint(c) ? "C1" : "elastic",
+            JointName(request.joint),
+            "gravity torque"};
+  }
+
+  std::string Sentence(const EffectRequest& request,
+                       const std::vector<EffectValue>& values) const override {
+    const EffectValue cubic = Find(values, "cubic");
+    return fmt::format("joint {} yields with the cube of its torque: {} ({})",
+                       request.joint,
+                       Quantity(cubic, 1e-12, "prad per (N m)^3"),
+                       cubic.value < 0 ? "stiffer under load" : "softer under load");
+  }
+
+  WorkedExample Example() const override {
+    WorkedExample example;
+    example.request.effect = "torsion_nonlinearity";
+    example.request.joint = 2;
+    example.request.settings["measured_torque"] = 1;
+    example.request.values["cubic"] = -1e-10;
+    example.row = 1;
+    example.slot = "theta2";
+    example.expected = 1e-4;  // (-100 N m)^3 x -1e-10
+    return example;
+  }
+};
+
+}  // namespace
+
+const Effect& TorsionNonlinearity() {
+  static const TorsionNonlinearityEffect effect;
+  return effect;
+}
+
+}  // namespace dhcal

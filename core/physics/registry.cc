@@ -1,0 +1,61 @@
+#include "core/physics/registry.h"
+
+#include <glog/logging.h>
+
+namespace dhcal {
+
+// One line per effect: DHCAL_EFFECT(X) is the function X() that its file defines.
+#define DHCAL_EFFECT_LIST(DHCAL_EFFECT) \
+  DHCAL_EFFECT(JointCompliance)         \
+  DHCAL_EFFECT(TorsionNonlinearity)     \
+  DHCAL_EFFECT(GravityBalancer)         \
+  DHCAL_EFFECT(LinkBending)             \
+  DHCAL_EFFECT(BaseCompliance)          \
+  DHCAL_EFFECT(JointGain)               \
+  DHCAL_EFFECT(GearHarmonic)            \
+  DHCAL_EFFECT(JointCoupling)           \
+  DHCAL_EFFECT(Backlash)                \
+  DHCAL_EFFECT(AxisWobble)              \
+  DHCAL_EFFECT(LinkThermal)             \
+  DHCAL_EFFECT(BaseDrift)               \
+  DHCAL_EFFECT(JointDrift)              \
+  DHCAL_EFFECT(JointStep)               \
+  DHCAL_EFFECT(ToolStep)                \
+  DHCAL_EFFECT(Latency)                 \
+  DHCAL_EFFECT(SensorScale)             \
+  DHCAL_EFFECT(AxisTilt)                \
+  DHCAL_EFFECT(BaseFrame)               \
+  DHCAL_EFFECT(ToolOffset)
+
+#define DHCAL_DECLARE(name) const Effect& name();
+DHCAL_EFFECT_LIST(DHCAL_DECLARE)
+#undef DHCAL_DECLARE
+
+const std::vector<const Effect*>& AllEffects() {
+#define DHCAL_POINTER(name) &name(),
+  static const std::vector<const Effect*> effects = {DHCAL_EFFECT_LIST(DHCAL_POINTER)};
+#undef DHCAL_POINTER
+  return effects;
+}
+
+const Effect* FindEffect(const std::string& name) {
+  for (const Effect* const effect : AllEffects()) {
+    if (effect->Describe().name == name) return effect;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> EffectNames() {
+  std::vector<std::string> names;
+  for (const Effect* const effect : AllEffects()) names.push_back(effect->Describe().name);
+  return names;
+}
+
+std::vector<EffectColumn> EffectColumns(const PhysicsContext& context,
+                                        const EffectRequest& request) {
+  const Effect* const effect = FindEffect(request.effect);
+  CHECK(effect != nullptr) << request.effect;
+  return effect->Columns(context, request);
+}
+
+}  // namespace dhcal

@@ -1,0 +1,223 @@
+// The report's section on left-out physics.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/base/units.h"
+#include "core/physics/effect.h"
+#include "core/report/format.h"
+#include "core/report/sections.h"
+#include "core/report/text_table.h"
+
+namespace dhcal {
+namespace {
+
+constexpr std::size_t kMostMap = 6;
+constexpr std::size_t kMostConfusable = 6;
+constexpr std::size_t kMostHidden = 8;
+constexpr std::size_t kMostPoses = 4;
+constexpr std::size_t kMostNotTestable = 12;
+
+std::string Upper(std::string text) {
+  for (char& c : text) c = c == '_' ? ' ' : static_cast<char>(std::toupper(c));
+  return text;
+}
+
+std::string Probability(double p) {
+  if (std::isnan(p)) return "-";
+  return p < 1e-3 ? fmt::format("{:.1e}", p) : fmt::format("{:.3f}", p);
+}
+
+std::string MisfitWords(const DiagnosisResult& d) {
+  const Misfit& m = d.misfit;
+  const std::string noise =
+      m.noise_known
+          ? fmt::format("known noise of {}", WithMillimetres(m.noise_sigma))
+          : fmt::format("noise not given (RMS with the geometry's freedoms counted {}), so only the "
+                        "pattern of the residuals speaks, not their size",
+                        WithMillimetres(m.noise_sigma));
+  std::string text = fmt::format(
+      "Complete geometry leaves {} RMS per coordinate over {} rows; {}. Probability that noise alone "
+      "looks like this: {} (alarm below {:g}).",
+      WithMillimetres(m.rms),
+      m.rows,
+      noise,
+      Probability(m.p_value),
+      d.false_alarm);
+  if (m.outliers > 0) {
+    text += fmt::format(" {} set aside as outliers.", Counted(m.outliers, "row"));
+  }
+  return text;
+}
+
+std::string BeforeAfter(const Finding& f) {
+  if (std::isnan(f.rms_train_before)) return "";
+  std::string text = fmt::format("RMS on fitted rows {} -> {} mm",
+                                 Millimetres(f.rms_train_before),
+                                 Millimetres(f.rms_train_after));
+  if (!std::isnan(f.rms_test_before)) {
+    text += fmt::format(", on rows not fitted {} -> {} mm",
+                        Millimetres(f.rms_test_before),
+                        Millimetres(f.rms_test_after));
+  }
+  return text + fmt::format(" (p = {})", Probability(f.p_value));
+}
+
+std::string FindingWords(std::size_t number, const Finding& f) {
+  std::string sentence = f.sentence;
+  if (!sentence.empty()) sentence[0] = static_cast<char>(std::toupper(sentence[0]));
+  std::string text = "\n" + Wrap(fmt::format("  {}. ", number), sentence + ".");
+  text += Wrap("     ",
+               fmt::format("{}: {}, driven by {}, class {}.",
+                           InstanceName(f.effect),
+                           f.location,
+                           f.driver,
+                           f.effect_class));
+  const std::string rms = BeforeAfter(f);
+  if (!rms.empty()) text += Wrap("     ", rms + ".");
+  for (const std::string& caution : f.cautions) text += Wrap("     Caution: ", caution + ".");
+  if (!f.confusable_with.empty()) {
+    std::vector<std::string> names;
+    for (const Confusable& other : f.confusable_with) {
+      if (names.size() == kMostConfusable) break;
+      names.push_back(fmt::format("{} (likeness {:.2f})", InstanceName(other.effect), other.overlap));
+    }
+    const std::size_t more = f.confusable_with.size() - names.size();
+    if (more > 0) names.push_back(AndMore(more));
+    text += Wrap("     These poses do not tell it from: ",
+                 fmt::format("{}.", fmt::join(names, "; ")));
+  }
+  if (!f.separating_advice.empty()) text += Wrap("     Measure next, ", f.separating_advice + ".");
+  for (std::size_t k = 0; k < f.separating_poses.size() && k < kMostPoses; ++k) {
+    std::vector<std::string> angles;
+    for (const double q : f.separating_poses[k].q) {
+      angles.push_back(fmt::format("{:.1f}", q / kDegree));
+    }
+    text += Wrap("       pose: ", fmt::format("{} deg", fmt::join(angles, ", ")));
+  }
+  return text;
+}
+
+std::string RestWords(const DiagnosisResult& d) {
+  if (!d.unexplained) return "";
+  const Unexplained& rest = *d.unexplained;
+  std::string text =
+      "\n" + Wrap("  Not explained: ",
+                  fmt::format("{:.0f} % of the misfit ({} RMS per coordinate); largest at {} against "
+                              "{}.",
+                              100 * rest.fraction,
+                              WithMillimetres(rest.rms),
+                              rest.slot,
+                              rest.driver));
+  if (rest.curve.empty()) return text;
+  const bool angle = rest.unit == "rad";
+  const bool driver_angle = rest.driver.size() > 1 && rest.driver[0] == 'q';
+  TextTable table({{rest.driver, driver_angle ? "[deg]" : ""},
+                   {rest.slot, angle ? "[mrad]" : "[mm]"},
+                   {"+-", angle ? "[mrad]" : "[mm]"}});
+  for (const CurvePoint& point : rest.curve) {
+    table.AddRow({FixedWithin(point.driver_value / (driver_angle ? kDegree : 1), 1, 10),
+                  Fixed(point.amount / 1e-3, 3),
+                  Fixed(point.sigma / 1e-3, 3)});
+  }
+  return text + table.ToString();
+}
+
+std::string MapTable(const DiagnosisResult& d) {
+  if (d.map.empty()) return "";
+  TextTable table({{"where", "", 12, TextTable::Align::kLeft},
+                   {"driven by", "", 34, TextTable::Align::kLeft},
+                   {"statistic", ""},
+                   {"freedom", ""},
+                   {"p alone", ""},
+                   {"size", "[mm RMS]"}});
+  for (std::size_t k = 0; k < d.map.size() && k < kMostMap; ++k) {
+    const MapEntry& entry = d.map[k];
+    table.AddRow({entry.slot,
+                  entry.driver,
+                  Fixed(entry.statistic, 1),
+                  Fixed(entry.dof, 0),
+                  Probability(entry.p_value),
+                  Millimetres(entry.rms)});
+  }
+  return "\n  Mismatch map (strongest of all places and drivers; the whole is in result.json)\n" +
+         table.ToString();
+}
+
+std::string MovedTable(const DiagnosisResult& d) {
+  if (d.moved.empty()) return "";
+  TextTable table({{"parameter", "", 20, TextTable::Align::kLeft},
+                   {"without", "[mm, mrad]"},
+                   {"with the effects", "[mm, mrad]"},
+                   {"+-", "[mm, mrad]"}});
+  for (const MovedParameter& p : d.moved) {
+    const int decimals = DecimalsOf(p.sigma / 1e-3, 4);
+    table.AddRow({p.name,
+                  Fixed(p.before / 1e-3, decimals),
+                  Fixed(p.after / 1e-3, decimals),
+                  Fixed(p.sigma / 1e-3, decimals)});
+  }
+  return "\n  Corrections that had swallowed part of it\n" + table.ToString();
+}
+
+std::string HiddenTable(const DiagnosisResult& d) {
+  if (d.hidden.empty()) return "";
+  TextTable table({{"not excluded", "", 44, TextTable::Align::kLeft},
+                   {"visible", "[part]"},
+                   {"smallest found", "[SI]"},
+                   {"unit", "", 22, TextTable::Align::kLeft},
+                   {"risk elsewhere", "[mm]"}});
+  for (std::size_t k = 0; k < d.hidden.size() && k < kMostHidden; ++k) {
+    const HiddenRisk& risk = d.hidden[k];
+    table.AddRow({InstanceName(risk.effect),
+                  Fixed(risk.visibility, 3),
+                  std::isnan(risk.limit) ? "never" : Scientific(risk.limit, 1),
+                  risk.unit,
+                  std::isnan(risk.risk) ? "-" : Fixed(risk.risk / kMillimetre, 2)});
+  }
+  return "\n" +
+         Wrap("  ",
+              "What these rows cannot exclude, and the largest error that it may cause at other "
+              "poses (95 %, geometry refitted; joints 120 deg around the recorded middle):") +
+         table.ToString();
+}
+
+}  // namespace
+
+std::string DiagnosisSection(const Result& result) {
+  if (!result.diagnosis) return "";
+  const DiagnosisResult& d = *result.diagnosis;
+  std::string text = Heading("LEFT-OUT PHYSICS: " + Upper(ToString(d.verdict)));
+  text += Wrap("  ", fmt::format("In short: {}.", d.summary));
+  text += Wrap("  ", MisfitWords(d));
+  for (std::size_t k = 0; k < d.findings.size(); ++k) text += FindingWords(k + 1, d.findings[k]);
+  if (!std::isnan(d.rms_test_before)) {
+    text += "\n" + Wrap("  ",
+                        fmt::format("All physics together: RMS on fitted rows {} -> {} mm; on rows "
+                                    "not fitted ({}) {} -> {} mm.",
+                                    Millimetres(d.rms_train_before),
+                                    Millimetres(d.rms_train_after),
+                                    d.validation_method,
+                                    Millimetres(d.rms_test_before),
+                                    Millimetres(d.rms_test_after)));
+  }
+  text += RestWords(d) + MovedTable(d);
+  if (d.verdict != DiagnosisVerdict::kConsistent) text += MapTable(d);
+  text += HiddenTable(d);
+  std::vector<std::string> untested;
+  for (const NotTestable& entry : d.not_testable) {
+    if (untested.size() == kMostNotTestable) break;
+    untested.push_back(entry.effect + " (" + entry.reason + ")");
+  }
+  if (!untested.empty()) {
+    text += "\n" + Wrap("  Not testable here: ", fmt::format("{}.", fmt::join(untested, "; ")));
+  }
+  for (const std::string& note : d.notes) text += Wrap("  - ", note);
+  return text;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,49 @@
+// The complete geometry, alone or together with effects, fitted by Ceres: what every claim of a
+// diagnosis is measured against (physics.md X1, B.3 steps 2 and 8).
+#ifndef DHCAL_PROBLEMS_DIAGNOSIS_COMPLETE_FIT_H_
+#define DHCAL_PROBLEMS_DIAGNOSIS_COMPLETE_FIT_H_
+
+#include <memory>
+#include <vector>
+
+#include "problems/calibration.h"
+#include "problems/fit.h"
+
+namespace dhcal {
+
+/// A problem with every geometric freedom estimated. Not copyable: the calibration refers to spec.
+struct CompleteFit {
+  CompleteFit(const ProblemSpec& user_spec, const Recording& recording);
+  CompleteFit(const CompleteFit&) = delete;
+  CompleteFit& operator=(const CompleteFit&) = delete;
+
+  ProblemSpec spec;  // the user's, with `estimate: complete`, no priors, no robust loss
+  Calibration calibration;
+  Fit fit;
+
+  const Eigen::VectorXd& state() const { return fit.summary.state; }
+  bool usable() const { return fit.summary.IsSolutionUsable(); }
+};
+
+/// Fits geometry and `effects` (besides those of the problem file) to `readings`, from the aligned
+/// start. `noise` where it is given, else found.
+std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
+                                         const Recording& recording,
+                                         const std::vector<EffectRequest>& effects,
+                                         const std::vector<Reading>* readings,
+                                         const Progress& progress);
+
+/// Values of the effects' parameters with the whole geometry free (the solver's own rule may hold
+/// weak directions back), in the order of the calibration's effect columns, and their covariance.
+struct EffectEstimates {
+  Eigen::VectorXd value;
+  Eigen::MatrixXd covariance;
+  double sigma_scale = 1;  // of the whitened rows: 1 where sigma is given
+  double dof = 0;
+};
+
+EffectEstimates EstimateEffects(const CompleteFit& fit);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_DIAGNOSIS_COMPLETE_FIT_H_

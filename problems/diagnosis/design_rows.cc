@@ -1,0 +1,185 @@
+#include "problems/diagnosis/design_rows.h"
+
+#include <map>
+
+#include <glog/logging.h>
+
+#include "core/math/rotation.h"
+#include "problems/prediction.h"
+
+namespace dhcal {
+namespace {
+
+bool IsShared(const Calibration& c) {
+  return c.spec.measurement.kind == MeasurementKind::kAdjacentPosition &&
+         c.spec.measurement.noise == NoiseKind::kSharedPose;
+}
+
+PoseWithDerivatives PoseAt(const Calibration& c, const Eigen::VectorXd& state, int row) {
+  PoseWithDerivatives pose;
+  c.chain.PoseAndDerivatives(c.recording.q.row(row).transpose(),
+                             c.SlotDeltas(state, row),
+                             c.frames.ends(c.recording.run(row), c.Target(row)),
+                             &pose);
+  return pose;
+}
+
+}  // namespace
+
+DesignRows::DesignRows(const Calibration& c,
+                       const Eigen::VectorXd& state,
+                       const Noise& noise,
+                       const std::vector<Reading>& readings)
+    : c_(c), coordinates_(NumCoordinates(c.spec.measurement.kind)) {
+  // A series has one row more than it has differences; at most each difference is a series.
+  const auto most = static_cast<Eigen::Index>(readings.size()) * coordinates_ *
+                    (IsShared(c) ? 2 : 1);
+  y_.resize(most);
+  now_.resize(most, c.chain.slots().size());
+  if (c.spec.measurement.kind == MeasurementKind::kAdjacentPosition && !IsShared(c)) {
+    before_.resize(most, c.chain.slots().size());
+  }
+  if (IsShared(c)) {
+    AddSeries(state, readings, noise);
+  } else {
+    for (const Reading& reading : readings) {
+      if (reading.previous_idx >= 0) {
+        AddPair(state, reading, noise);
+      } else {
+        AddPose(state, reading, noise);
+      }
+    }
+  }
+  y_.conservativeResize(filled_);
+  now_.conservativeResize(filled_, Eigen::NoChange);
+  if (before_.rows() > 0) before_.conservativeResize(filled_, Eigen::NoChange);
+}
+
+void DesignRows::Append(const Eigen::VectorXd& y,
+                        const Eigen::MatrixXd& now,
+                        int row,
+                        const Eigen::MatrixXd* before,
+                        int before_row) {
+  y_.segment(filled_, y.size()) = y;
+  now_.middleRows(filled_, y.size()) = now;
+  if (before != nullptr) before_.middleRows(filled_, y.size()) = *before;
+  for (Eigen::Index k = 0; k < y.size(); ++k) {
+    now_row_.push_back(row);
+    if (before != nullptr) before_row_.push_back(before_row);
+  }
+  filled_ += static_cast<int>(y.size());
+}
+
+void DesignRows::AddPose(const Eigen::VectorXd& state, const Reading& reading, const Noise& noise) {
+  const int row = reading.row_idx;
+  const PoseWithDerivatives pose = PoseAt(c_, state, row);
+  const Comparison comparison = Compare(c_, state, reading);
+  const double sigma = c_.RowSigma(row, noise);
+  Eigen::VectorXd y = comparison.residual;
+  Eigen::MatrixXd J(coordinates_, pose.J_p.cols());
+  switch (c_.spec.measurement.kind) {
+    case MeasurementKind::kDistance: {
+      const Eigen::Vector3d p_AQ = pose.p_WQ - c_.Anchor(row);
+      J = p_AQ.normalized().transpose() * pose.J_p;
+      break;
+    }
+    case MeasurementKind::kPose: {
+      // Log(R_measured R') grows by -J_r^-1 w when R turns by w; near zero that is -w, and the
+      // reading is R itself, which grows by w.
+      J.topRows<3>() = pose.J_p;
+      J.bottomRows<3>() = LeftJacobianInverseSO3(-y.tail<3>()) * pose.J_w;
+      J.bottomRows<3>() /= noise.sigma_rotation;
+      y.tail<3>() /= noise.sigma_rotation;
+      J.topRows<3>() /= sigma;
+      y.head<3>() /= sigma;
+      return Append(y, J, row, nullptr, -1);
+    }
+    case MeasurementKind::kPosition:
+    case MeasurementKind::kAdjacentPosition:
+      J = pose.J_p;
+      break;
+  }
+  Append(y / sigma, J / sigma, row, nullptr, -1);
+}
+
+void DesignRows::AddPair(const Eigen::VectorXd& state, const Reading& reading, const Noise& noise) {
+  const double sigma = c_.RowSigma(reading.row_idx, noise);
+  const PoseWithDerivatives now = PoseAt(c_, state, reading.row_idx);
+  const PoseWithDerivatives before = PoseAt(c_, state, reading.previous_idx);
+  const Eigen::VectorXd y = Compare(c_, state, reading).residual / sigma;
+  const Eigen::MatrixXd J_now = now.J_p / sigma, J_before = before.J_p / sigma;
+  Append(y, J_now, reading.row_idx, &J_before, reading.previous_idx);
+}
+
+void DesignRows::AddSeries(const Eigen::VectorXd& state,
+                           const std::vector<Reading>& readings,
+                           const Noise& noise) {
+  struct Last {
+    int series = 0;
+    Eigen::Vector3d y = Eigen::Vector3d::Zero();  // [m] up to the series' offset
+  };
+  std::map<int, Last> of_row;
+  std::vector<double> inverse_sigma;
+  const auto add = [&](int row, const Last& last) {
+    const double sigma = c_.RowSigma(row, noise);
+    const PoseWithDerivatives pose = PoseAt(c_, state, row);
+    const Eigen::VectorXd y = (last.y - pose.p_WQ) / sigma;
+    Append(y, pose.J_p / sigma, row, nullptr, -1);
+    of_row[row] = last;
+    for (int k = 0; k < 3; ++k) {
+      series_.push_back(last.series);
+      inverse_sigma.push_back(1 / sigma);
+    }
+  };
+  for (const Reading& reading : readings) {
+    if (of_row.count(reading.previous_idx) == 0) {
+      Last first;
+      first.series = num_series_++;
+      first.y = PoseAt(c_, state, reading.previous_idx).p_WQ;
+      add(reading.previous_idx, first);
+    }
+    Last next = of_row.at(reading.previous_idx);
+    next.y += MeasuredDisplacement(c_.recording, reading);
+    add(reading.row_idx, next);
+  }
+  inverse_sigma_ = Eigen::Map<Eigen::VectorXd>(inverse_sigma.data(),
+                                               static_cast<Eigen::Index>(inverse_sigma.size()));
+}
+
+Eigen::VectorXd DesignRows::Column(const std::vector<SlotWeights>& slots) const {
+  Eigen::VectorXd column = Eigen::VectorXd::Zero(num_rows());
+  for (const SlotWeights& weights : slots) {
+    for (int k = 0; k < num_rows(); ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      column[k] += now_(k, weights.slot) * weights.weight[now_row_[i]];
+      if (before_.rows() > 0) {
+        column[k] -= before_(k, weights.slot) * weights.weight[before_row_[i]];
+      }
+    }
+  }
+  return column;
+}
+
+Eigen::MatrixXd DesignRows::Geometry(const std::vector<Parameter>& parameters) const {
+  const auto num_parameters = static_cast<Eigen::Index>(parameters.size());
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(num_rows(), num_parameters + 3 * num_series_);
+  for (Eigen::Index k = 0; k < num_parameters; ++k) {
+    const Parameter& parameter = parameters[static_cast<std::size_t>(k)];
+    if (parameter.effect_column >= 0) {
+      const auto column = static_cast<std::size_t>(parameter.effect_column);
+      J.col(k) = Column(c_.effect_columns[column].slots);
+      continue;
+    }
+    Eigen::VectorXd weight(c_.recording.num_rows());
+    for (int row = 0; row < c_.recording.num_rows(); ++row) {
+      weight[row] = InScope(parameter, c_.recording.run(row), c_.Target(row)) ? 1.0 : 0.0;
+    }
+    J.col(k) = Column({{parameter.slot, weight}});
+  }
+  for (int k = 0; k < static_cast<int>(series_.size()); ++k) {
+    J(k, num_parameters + 3 * series_[static_cast<std::size_t>(k)] + k % 3) = inverse_sigma_[k];
+  }
+  return J;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,77 @@
+// The readings linearised in every slot of every pose: whitened rows from which the column of any
+// effect is a sum of products, without going through the solver.
+//
+//   y = (measured - predicted) / sigma
+//   column of a parameter = sum over slots of (d reading / d slot) weight(row) / sigma
+//
+// Rows of adjacent readings hold two poses, each with its own weight. Shared-pose differences are
+// treated as the equivalent: positions with one free offset per series (physics.md D4). The same
+// derivatives as the residual blocks', which a test compares.
+#ifndef DHCAL_PROBLEMS_DIAGNOSIS_DESIGN_ROWS_H_
+#define DHCAL_PROBLEMS_DIAGNOSIS_DESIGN_ROWS_H_
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/physics/effect.h"
+#include "problems/calibration.h"
+
+namespace dhcal {
+
+class DesignRows {
+ public:
+  /// `readings`: those to use, of the calibration; at `state`.
+  DesignRows(const Calibration& calibration,
+             const Eigen::VectorXd& state,
+             const Noise& noise,
+             const std::vector<Reading>& readings);
+
+  int num_rows() const { return static_cast<int>(y_.size()); }
+  /// Coordinates per reading; rows come reading by reading.
+  int coordinates() const { return coordinates_; }
+  int num_readings() const { return num_rows() / coordinates_; }
+  /// Row of the recording that a reading is of.
+  int recording_row(int reading) const {
+    return now_row_[static_cast<std::size_t>(reading * coordinates_)];
+  }
+  const Eigen::VectorXd& y() const { return y_; }
+
+  /// Whitened column of something that adds `weight` (per recording row) to slots.
+  Eigen::VectorXd Column(const std::vector<SlotWeights>& slots) const;
+  /// Columns of the calibration's parameters (effects switched on included), then one offset per series and coordinate where
+  /// differences are shared.
+  Eigen::MatrixXd Geometry(const std::vector<Parameter>& parameters) const;
+
+  /// d reading / d slot at the reading's own pose, and (adjacent) at the one before; rows x slots.
+  const Eigen::MatrixXd& now() const { return now_; }
+  const Eigen::MatrixXd& before() const { return before_; }
+  const std::vector<int>& now_row() const { return now_row_; }
+  const std::vector<int>& before_row() const { return before_row_; }
+
+ private:
+  void AddPose(const Eigen::VectorXd& state, const Reading& reading, const Noise& noise);
+  void AddPair(const Eigen::VectorXd& state, const Reading& reading, const Noise& noise);
+  void AddSeries(const Eigen::VectorXd& state,
+                 const std::vector<Reading>& readings,
+                 const Noise& noise);
+  void Append(const Eigen::VectorXd& y,
+              const Eigen::MatrixXd& now,
+              int row,
+              const Eigen::MatrixXd* before,
+              int before_row);
+
+  const Calibration& c_;
+  int coordinates_;
+  int filled_ = 0;
+  Eigen::VectorXd y_;
+  Eigen::MatrixXd now_, before_;
+  std::vector<int> now_row_, before_row_;
+  std::vector<int> series_;         // of each row, with shared differences; else empty
+  Eigen::VectorXd inverse_sigma_;   // of each row, with shared differences
+  int num_series_ = 0;
+};
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_DIAGNOSIS_DESIGN_ROWS_H_

@@ -1,0 +1,197 @@
+#include "problems/diagnosis/diagnose.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/units.h"
+#include "core/physics/registry.h"
+#include "problems/diagnosis/complete_fit.h"
+#include "problems/diagnosis/design_rows.h"
+#include "problems/diagnosis/findings.h"
+#include "problems/diagnosis/hypotheses.h"
+#include "problems/diagnosis/missing_geometry.h"
+#include "problems/diagnosis/projection.h"
+#include "problems/diagnosis/search.h"
+#include "problems/diagnosis/verdict.h"
+#include "problems/noise.h"
+
+namespace dhcal {
+namespace {
+
+// Rows beyond this are thinned for the search (not for the fits).
+constexpr std::size_t kMostReadings = 20000;
+constexpr int kOutlierRounds = 3;
+constexpr int kDraws = 2000;
+
+/// The rows of a fit without the readings that lie off, and the geometry taken out.
+struct CleanRows {
+  std::vector<Reading> readings;  // used
+  std::vector<int> outliers;      // rows of the recording
+  std::unique_ptr<DesignRows> rows;
+  Eigen::MatrixXd U;
+  Eigen::VectorXd y;
+  double nu = 0;
+};
+
+CleanRows Clean(const CompleteFit& fit, std::vector<Reading> readings) {
+  CleanRows clean;
+  const Calibration& c = fit.calibration;
+  for (int round = 0; round <= kOutlierRounds; ++round) {
+    clean.readings = readings;
+    clean.rows = std::make_unique<DesignRows>(c, fit.state(), fit.fit.noise_seen, readings);
+    clean.U = OrthonormalBasis(clean.rows->Geometry(c.parameters));
+    clean.y = ProjectOff(clean.U, clean.rows->y());
+    clean.nu = static_cast<double>(clean.rows->num_rows() - clean.U.cols());
+    const bool plain = clean.rows->num_readings() == static_cast<int>(readings.size());
+    if (round == kOutlierRounds || !plain) break;
+    const std::vector<bool> flagged = FlagOutliers(clean.y, clean.U, clean.rows->coordinates());
+    std::vector<Reading> good;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      if (flagged[k]) {
+        clean.outliers.push_back(readings[k].row_idx);
+      } else {
+        good.push_back(readings[k]);
+      }
+    }
+    if (good.size() == readings.size()) break;
+    readings = good;
+  }
+  return clean;
+}
+
+std::vector<Reading> Thinned(const std::vector<Reading>& readings) {
+  if (readings.size() <= kMostReadings) return readings;
+  std::vector<Reading> thinned;
+  const double step = static_cast<double>(readings.size()) / static_cast<double>(kMostReadings);
+  for (double k = 0; k < static_cast<double>(readings.size()); k += step) {
+    thinned.push_back(readings[static_cast<std::size_t>(k)]);
+  }
+  return thinned;
+}
+
+/// Fills the space with the library and the map; lists what cannot be tested.
+void Populate(const ProblemSpec& spec, HypothesisSpace* space, DiagnosisResult* d) {
+  const PhysicsContext& context = space->context();
+  std::set<std::pair<std::string, std::string>> reported;
+  for (const Effect* const effect : AllEffects()) {
+    for (const EffectRequest& request : effect->Candidates(context)) {
+      const auto& active = spec.parameters.effects;
+      if (std::any_of(active.begin(), active.end(), [&](const EffectRequest& e) {
+            return e.SameAs(request);
+          })) {
+        continue;
+      }
+      const std::string reason = effect->NotTestable(context, request);
+      if (reason.empty()) {
+        space->AddEffect(request);
+      } else if (reported.emplace(request.effect, reason).second) {
+        d->not_testable.push_back({InstanceName(request), reason});
+      }
+    }
+    if (effect->Candidates(context).empty() && effect->Place(context, {}).effect_class != "geometry") {
+      d->not_testable.push_back({effect->Describe().name, "needs " + effect->Describe().needs});
+    }
+  }
+  for (const MapBlock& block : MapBlocks(context)) space->AddMap(block);
+}
+
+void DescribeMisfit(const CompleteFit& fit,
+                    const CleanRows& clean,
+                    const SearchOutcome& outcome,
+                    DiagnosisResult* d) {
+  Misfit& misfit = d->misfit;
+  misfit.noise_known = SourceOfNoise(fit.calibration).all_given();
+  misfit.noise_sigma = fit.fit.noise_seen.sigma;
+  misfit.rows = static_cast<int>(clean.readings.size());
+  misfit.outliers = static_cast<int>(clean.outliers.size());
+  misfit.statistic = clean.y.squaredNorm();
+  misfit.dof = clean.nu;
+  misfit.p_value = outcome.p_geometry;
+  misfit.rms = misfit.noise_sigma *
+               std::sqrt(clean.y.squaredNorm() / static_cast<double>(clean.y.size()));
+}
+
+}  // namespace
+
+bool WantsDiagnosis(const ProblemSpec& spec, const Result& identified) {
+  if (spec.diagnosis.run == DiagnosisRun::kNever || identified.best() == nullptr) return false;
+  if (spec.diagnosis.run == DiagnosisRun::kAlways) return true;
+  const bool noise_free = spec.simulate && spec.simulate->noise <= kFinestSigma;
+  return !noise_free && identified.best()->rms > kFinestSigma;
+}
+
+DiagnosisResult Diagnose(const ProblemSpec& spec,
+                         const Recording& recording,
+                         const Result& identified,
+                         const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto say = [&](const std::string& text) {
+    if (progress) progress("diagnosis: " + text);
+  };
+  DiagnosisResult d;
+  d.false_alarm = spec.diagnosis.false_alarm;
+  say("complete geometry");
+  const auto before = FitComplete(spec, recording, {}, nullptr, progress);
+  if (!before->usable()) {
+    d.verdict = DiagnosisVerdict::kUnexplained;
+    d.summary = "the complete geometry could not be fitted, so nothing can be said: " +
+                before->fit.summary.message;
+    return d;
+  }
+  const Calibration& c = before->calibration;
+  AddMissingGeometry(spec, recording, identified, *before, &d);
+
+  CleanRows clean = Clean(*before, Thinned(c.readings.fitted));
+  if (c.readings.fitted.size() > kMostReadings) {
+    d.notes.push_back(fmt::format("{} of {} rows were searched, evenly over the recording; the "
+                                  "fits use all.",
+                                  kMostReadings,
+                                  c.readings.fitted.size()));
+  }
+  const PhysicsContext context = c.Context();
+  HypothesisSpace space(context, *clean.rows, clean.U, clean.y);
+  Populate(spec, &space, &d);
+  SearchOptions options;
+  options.false_alarm = spec.diagnosis.false_alarm;
+  options.sigma_known = SourceOfNoise(c).all_given();
+  options.nu = clean.nu;
+  options.effects = spec.diagnosis.effects;
+  options.draws = kDraws;
+  say(fmt::format("{} hypotheses and map cells", space.all().size()));
+  const SearchOutcome outcome = Search(options, &space);
+  DescribeMisfit(*before, clean, outcome, &d);
+
+  std::vector<EffectRequest> names;
+  for (const int k : outcome.accepted) {
+    names.push_back(space.all()[static_cast<std::size_t>(k)].request);
+  }
+  if (!names.empty()) {
+    say(fmt::format("refit with {} effects", names.size()));
+    std::vector<Reading> fitted;
+    const std::set<int> off(clean.outliers.begin(), clean.outliers.end());
+    for (const Reading& reading : c.readings.fitted) {
+      if (off.count(reading.row_idx) == 0) fitted.push_back(reading);
+    }
+    const auto clean_before = FitComplete(spec, recording, {}, &fitted, progress);
+    const auto after = FitComplete(spec, recording, names, &fitted, progress);
+    if (after->usable() && clean_before->usable()) {
+      for (Finding& finding : DescribeFindings(names, *clean_before, *after, &d)) {
+        d.findings.push_back(std::move(finding));
+      }
+      d.moved = MovedParameters(*clean_before, *after);
+    }
+  }
+  say("what is hidden");
+  Conclude(*before, space, outcome, &d);
+  d.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return d;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,26 @@
+// The task: where a robot's readings differ from its rigid model, say what physics was left out.
+#ifndef DHCAL_PROBLEMS_DIAGNOSIS_DIAGNOSE_H_
+#define DHCAL_PROBLEMS_DIAGNOSIS_DIAGNOSE_H_
+
+#include "core/model/diagnosis.h"
+#include "core/model/problem_spec.h"
+#include "core/model/recording.h"
+#include "core/model/result.h"
+#include "problems/fit.h"
+
+namespace dhcal {
+
+/// True if the problem file's `diagnosis.run` asks for one. With `auto`, recordings without noise
+/// (simulations for comparing solvers) are not diagnosed: there is nothing to measure a misfit by.
+bool WantsDiagnosis(const ProblemSpec& spec, const Result& identified);
+
+/// Complete geometry, score tests, confidence set, refit, validation (shared physics.md B.3). The
+/// inputs have been checked; `identified` is the fit that the problem file asks for.
+DiagnosisResult Diagnose(const ProblemSpec& spec,
+                         const Recording& recording,
+                         const Result& identified,
+                         const Progress& progress);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_DIAGNOSIS_DIAGNOSE_H_

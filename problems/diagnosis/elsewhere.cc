@@ -1,0 +1,207 @@
+#include "problems/diagnosis/elsewhere.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+#include "core/base/rng.h"
+#include "core/base/units.h"
+#include "core/physics/registry.h"
+#include "problems/assembly.h"
+#include "problems/diagnosis/projection.h"
+
+namespace dhcal {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int kPoses = 300;
+constexpr double kHalfRange = 120 * kDegree;
+constexpr double kDetection = 27;       // non-centrality found with 90 % at 1e-4 (physics.md A.8)
+constexpr double kTypicalToPrior = 3;   // an effect's prior sigma, in typical sizes
+constexpr double kOtherPayload = 15;    // [kg]
+constexpr std::size_t kMostPoses = 8;
+
+/// True for effects that depend on the pose alone: others have no value at a pose elsewhere.
+bool DependsOnPoseOnly(const EffectRequest& request) {
+  for (const char* const name : {"joint_compliance", "torsion_nonlinearity", "gravity_balancer",
+                                 "link_bending", "base_compliance", "joint_gain", "gear_harmonic",
+                                 "joint_coupling", "axis_wobble"}) {
+    if (request.effect == name) return request.setting("measured_torque", 0) == 0;
+  }
+  return false;
+}
+
+}  // namespace
+
+Recording PosesElsewhere(const Recording& recording, const RobotModel& robot, int count) {
+  Rng rng(77);
+  Recording poses;
+  poses.q.resize(count, recording.num_joints());
+  for (int j = 0; j < recording.num_joints(); ++j) {
+    const double low = recording.q.col(j).minCoeff(), high = recording.q.col(j).maxCoeff();
+    const bool revolute = robot.joints[static_cast<std::size_t>(j)].type == JointType::kRevolute;
+    const double half =
+        revolute ? std::max((high - low) / 2, kHalfRange) : std::max(high - low, 0.1);
+    const double middle = (low + high) / 2;
+    for (int k = 0; k < count; ++k) poses.q(k, j) = rng.Uniform(middle - half, middle + half);
+  }
+  return poses;
+}
+
+Elsewhere::Elsewhere(const Calibration& calibration,
+                     const VectorXd& state,
+                     const HypothesisSpace& space,
+                     const std::vector<Parameter>& geometry)
+    : c_(calibration),
+      state_(state),
+      space_(space),
+      geometry_(geometry),
+      tolerance_(ScalesOf(geometry).tolerance),
+      poses_(PosesElsewhere(calibration.recording, calibration.spec.robot, kPoses)) {
+  const MatrixXd J = space.rows().Geometry(geometry);
+  J_ = J;
+  J_.leftCols(tolerance_.size()) = J.leftCols(tolerance_.size()) * tolerance_.asDiagonal();
+  MatrixXd normal = J_.transpose() * J_;
+  normal.diagonal().array() += 1;
+  normal_ = normal.llt().solve(MatrixXd::Identity(normal.rows(), normal.cols()));
+}
+
+MatrixXd Elsewhere::Raw(const EffectRequest& request) const {
+  const std::vector<EffectColumn> columns = EffectColumns(space_.context(), request);
+  MatrixXd raw(space_.rows().num_rows(), static_cast<Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    raw.col(static_cast<Index>(k)) =
+        columns[k].typical * space_.rows().Column(columns[k].slots);
+  }
+  return raw;
+}
+
+MatrixXd Elsewhere::Absorbed(const MatrixXd& columns) const {
+  return tolerance_.asDiagonal() *
+         (normal_ * (J_.transpose() * columns)).topRows(tolerance_.size());
+}
+
+MatrixXd Elsewhere::Moves(const EffectRequest& request,
+                          const MatrixXd& absorbed,
+                          const Recording& poses) const {
+  const PhysicsContext there(c_.spec.robot, poses, {c_.frames.base(0)});
+  const std::vector<EffectColumn> columns = EffectColumns(there, request);
+  MatrixXd moves(3 * poses.num_rows(), static_cast<Index>(columns.size()));
+  PoseWithDerivatives pose;
+  for (int row = 0; row < poses.num_rows(); ++row) {
+    c_.chain.PoseAndDerivatives(poses.q.row(row).transpose(),
+                                c_.SlotDeltas(state_, 0),
+                                c_.frames.ends(0, 0),
+                                &pose);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      Eigen::Vector3d move = Eigen::Vector3d::Zero();
+      for (const SlotWeights& weights : columns[k].slots) {
+        move += columns[k].typical * weights.weight[row] * pose.J_p.col(weights.slot);
+      }
+      for (std::size_t g = 0; g < geometry_.size(); ++g) {
+        if (!InScope(geometry_[g], 0, 0)) continue;
+        move -= pose.J_p.col(geometry_[g].slot) *
+                absorbed(static_cast<Index>(g), static_cast<Index>(k));
+      }
+      moves.block<3, 1>(3 * row, static_cast<Index>(k)) = move;
+    }
+  }
+  return moves;
+}
+
+HiddenRisk Elsewhere::Risk(int hypothesis,
+                           const std::vector<int>& accepted,
+                           double sigma_scale) const {
+  const Hypothesis& h = space_.all()[static_cast<std::size_t>(hypothesis)];
+  HiddenRisk risk;
+  risk.effect = h.request;
+  const std::vector<EffectColumn> columns = EffectColumns(space_.context(), h.request);
+  risk.unit = columns.front().unit;
+  MatrixXd known(space_.y().size(), 0);
+  for (const int k : accepted) {
+    MatrixXd more(known.rows(), known.cols() + space_.Projected(k).cols());
+    more << known, space_.Projected(k);
+    known = more;
+  }
+  const MatrixXd basis = OrthonormalBasis(known, 1e-6);
+  const MatrixXd raw = Raw(h.request);
+  const MatrixXd X = ProjectOff(basis, space_.Projected(hypothesis));
+  const double seen = X.col(0).norm();
+  risk.visibility = raw.col(0).norm() > 0 ? seen / raw.col(0).norm() : 0;
+  if (risk.visibility > 1e-3) {
+    risk.limit = sigma_scale * std::sqrt(kDetection) / seen * columns.front().typical;
+  }
+  if (!DependsOnPoseOnly(h.request)) return risk;
+  // The effect's size with the geometry free, and a prior of a few typical sizes.
+  MatrixXd precision = X.transpose() * X / (sigma_scale * sigma_scale);
+  precision.diagonal().array() += 1 / (kTypicalToPrior * kTypicalToPrior);
+  const MatrixXd covariance =
+      precision.llt().solve(MatrixXd::Identity(precision.rows(), precision.cols()));
+  const VectorXd y = ProjectOff(basis, space_.y());
+  const VectorXd size = covariance * (X.transpose() * y) / (sigma_scale * sigma_scale);
+  const MatrixXd moves = Moves(h.request, Absorbed(raw), poses_);
+  risk.risk = 0;
+  for (int row = 0; row < poses_.num_rows(); ++row) {
+    const MatrixXd D = moves.middleRows(3 * row, 3);
+    const Eigen::Matrix3d spread = D * covariance * D.transpose();
+    const double largest =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues().maxCoeff();
+    risk.risk = std::max(risk.risk, (D * size).norm() + 1.96 * std::sqrt(std::max(largest, 0.0)));
+  }
+  return risk;
+}
+
+Elsewhere::Split Elsewhere::PosesThatSplit(int one, int other) const {
+  Split split;
+  const EffectRequest& first = space_.all()[static_cast<std::size_t>(one)].request;
+  const EffectRequest& second = space_.all()[static_cast<std::size_t>(other)].request;
+  if (!DependsOnPoseOnly(first) || !DependsOnPoseOnly(second)) return split;
+  // How the first looks in the fit, and the best imitation by the second.
+  const MatrixXd X1 = space_.Projected(one), X2 = space_.Projected(other);
+  const VectorXd size = X1.completeOrthogonalDecomposition().solve(space_.y());
+  const VectorXd imitation = X2.completeOrthogonalDecomposition().solve(X1 * size);
+  const MatrixXd raw1 = Raw(first), raw2 = Raw(second);
+  const MatrixXd absorbed = Absorbed(raw1 * size - raw2 * imitation);
+  const auto difference = [&](const Recording& poses) {
+    const MatrixXd none = MatrixXd::Zero(tolerance_.size(), std::max(raw1.cols(), raw2.cols()));
+    VectorXd moved = Moves(first, none, poses) * size - Moves(second, none, poses) * imitation;
+    PoseWithDerivatives pose;
+    for (int row = 0; row < poses.num_rows(); ++row) {
+      c_.chain.PoseAndDerivatives(poses.q.row(row).transpose(),
+                                  c_.SlotDeltas(state_, 0),
+                                  c_.frames.ends(0, 0),
+                                  &pose);
+      for (std::size_t g = 0; g < geometry_.size(); ++g) {
+        if (!InScope(geometry_[g], 0, 0)) continue;
+        moved.segment<3>(3 * row) -=
+            pose.J_p.col(geometry_[g].slot) * absorbed(static_cast<Index>(g), 0);
+      }
+    }
+    VectorXd length(poses.num_rows());
+    for (int row = 0; row < poses.num_rows(); ++row) length[row] = moved.segment<3>(3 * row).norm();
+    return length;
+  };
+  const VectorXd length = difference(poses_);
+  std::vector<int> order(static_cast<std::size_t>(length.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return length[a] > length[b]; });
+  split.largest = length.maxCoeff();
+  for (std::size_t k = 0; k < order.size() && k < kMostPoses; ++k) {
+    split.poses.push_back({poses_.q.row(order[k]).transpose(), kUnknown});
+  }
+  Recording loaded;
+  loaded.q = c_.recording.q.topRows(std::min(c_.recording.num_rows(), kPoses));
+  const VectorXd empty = difference(loaded);
+  loaded.payload = VectorXd::Constant(loaded.num_rows(), kOtherPayload);
+  split.with_payload = (difference(loaded) - empty).cwiseAbs().maxCoeff();
+  return split;
+}
+
+}  // namespace dhcal

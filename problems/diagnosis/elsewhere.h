@@ -1,0 +1,59 @@
+// What effects would do at poses that were not recorded: the error that a hidden one may cause, and
+// the poses that would tell two of them apart (physics.md B.5).
+#ifndef DHCAL_PROBLEMS_DIAGNOSIS_ELSEWHERE_H_
+#define DHCAL_PROBLEMS_DIAGNOSIS_ELSEWHERE_H_
+
+#include <vector>
+
+#include "core/model/diagnosis.h"
+#include "problems/diagnosis/hypotheses.h"
+
+namespace dhcal {
+
+/// Poses all over the joint space around the recorded ones: every joint's recorded middle plus or
+/// minus 120 deg, or its recorded range where that is larger; prismatic joints their range twice.
+Recording PosesElsewhere(const Recording& recording, const RobotModel& robot, int count);
+
+class Elsewhere {
+ public:
+  /// `J`: whitened geometry columns of the fitted rows; `tolerance` of the parameters.
+  Elsewhere(const Calibration& calibration,
+            const Eigen::VectorXd& state,
+            const HypothesisSpace& space,
+            const std::vector<Parameter>& geometry);
+
+  /// Visibility, limit and risk of a named hypothesis, with what is accepted already in the model.
+  HiddenRisk Risk(int hypothesis, const std::vector<int>& accepted, double sigma_scale) const;
+
+  /// Poses at which `one`, as large as it is in the fit, differs most from the best that geometry
+  /// and `other` can do with the recorded rows. Largest first, with the difference [m].
+  struct Split {
+    std::vector<SeparatingPose> poses;
+    double largest = 0;  // [m]
+    double with_payload = 0;  // [m] at the recorded poses with another payload; 0 = no such
+  };
+  Split PosesThatSplit(int one, int other) const;
+
+ private:
+  /// d p_WQ / d parameter of a hypothesis elsewhere, less what the geometry that fits the recorded
+  /// rows would take of it: 3 x columns per pose.
+  Eigen::MatrixXd Moves(const EffectRequest& request,
+                        const Eigen::MatrixXd& absorbed,
+                        const Recording& poses) const;
+  Eigen::MatrixXd Raw(const EffectRequest& request) const;
+  /// Geometry that the fit would move per column (tolerances as priors).
+  Eigen::MatrixXd Absorbed(const Eigen::MatrixXd& columns) const;
+
+  const Calibration& c_;
+  const Eigen::VectorXd& state_;
+  const HypothesisSpace& space_;
+  std::vector<Parameter> geometry_;
+  Eigen::MatrixXd J_;             // whitened, times tolerance
+  Eigen::MatrixXd normal_;        // (J'J + I)^-1
+  Eigen::VectorXd tolerance_;
+  Recording poses_;
+};
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_DIAGNOSIS_ELSEWHERE_H_

@@ -1,0 +1,216 @@
+#include "problems/diagnosis/findings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "core/math/statistics.h"
+#include "core/physics/registry.h"
+#include "problems/diagnosis/design_rows.h"
+#include "problems/diagnosis/projection.h"
+#include "problems/fit_analysis.h"
+#include "problems/noise.h"
+#include "problems/prediction.h"
+
+namespace dhcal {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr std::size_t kMostMoved = 8;
+constexpr double kMovedSigmas = 3;
+constexpr double kReplicates = 0.01;
+
+double Rms(const VectorXd& whitened, double sigma) {
+  if (whitened.size() == 0) return kUnknown;
+  return sigma * std::sqrt(whitened.squaredNorm() / static_cast<double>(whitened.size()));
+}
+
+/// Effect columns of each request, counted as in the calibration.
+std::vector<std::vector<int>> ColumnsOf(const std::vector<EffectRequest>& effects,
+                                        const Calibration& c) {
+  std::vector<std::vector<int>> columns;
+  const PhysicsContext context = c.Context();
+  auto next = static_cast<int>(c.effect_columns.size());
+  for (auto effect = effects.rbegin(); effect != effects.rend(); ++effect) {
+    const auto count = static_cast<int>(EffectColumns(context, *effect).size());
+    next -= count;
+    std::vector<int> own(static_cast<std::size_t>(count));
+    std::iota(own.begin(), own.end(), next);
+    columns.insert(columns.begin(), own);
+  }
+  return columns;
+}
+
+/// Sum over readings of the gain in log likelihood per reading, and its standard error.
+void LogPredictive(const VectorXd& before,
+                   const VectorXd& after,
+                   double sigma_scale,
+                   Finding* finding) {
+  const VectorXd gain =
+      0.5 * (before.array().square() - after.array().square()) / (sigma_scale * sigma_scale);
+  const auto n = static_cast<double>(gain.size());
+  finding->delta_log_predictive = gain.sum();
+  const double variance = (gain.array() - gain.mean()).square().sum() / std::max(n - 1, 1.0);
+  finding->log_predictive_standard_error = std::sqrt(n * variance);
+}
+
+/// Probability that a parameter's estimates of the runs scatter as they do (Cochran 1954); NaN with
+/// one run. Both fitted with the geometry free.
+double Replication(const CompleteFit& fit, const EffectColumn& column) {
+  const Calibration& c = fit.calibration;
+  const auto num_runs = static_cast<int>(c.recording.run_names.size());
+  if (num_runs < 2) return kUnknown;
+  const DesignRows rows(c, fit.state(), fit.fit.noise_seen, c.readings.fitted);
+  const Eigen::MatrixXd U = OrthonormalBasis(rows.Geometry(c.parameters));
+  Eigen::MatrixXd split(rows.num_rows(), num_runs);
+  for (int run = 0; run < num_runs; ++run) {
+    std::vector<SlotWeights> own = column.slots;
+    for (SlotWeights& weights : own) {
+      for (int row = 0; row < c.recording.num_rows(); ++row) {
+        if (c.recording.run(row) != run) weights.weight[row] = 0;
+      }
+    }
+    split.col(run) = rows.Column(own);
+  }
+  const VectorXd y = ProjectOff(U, rows.y());
+  const Eigen::MatrixXd basis = OrthonormalBasis(ProjectOff(U, split), 1e-4);
+  if (basis.cols() == 0) return kUnknown;
+  const double removed = (basis.transpose() * y).squaredNorm();
+  const double rest = static_cast<double>(rows.num_rows() - U.cols() - basis.cols());
+  const auto k = static_cast<double>(basis.cols());
+  if (rest < 1) return kUnknown;
+  return FTail(removed / k / ((y.squaredNorm() - removed) / rest), k, rest);
+}
+
+void AddParameters(const std::vector<int>& columns,
+                   const CompleteFit& fit,
+                   const EffectEstimates& estimates,
+                   Finding* finding,
+                   std::vector<EffectValue>* values) {
+  const bool known = SourceOfNoise(fit.calibration).all_given();
+  const double quantile =
+      StudentTwoSided(0.95, known ? std::numeric_limits<double>::infinity() : estimates.dof);
+  for (const int k : columns) {
+    const EffectColumn& column = fit.calibration.effect_columns[static_cast<std::size_t>(k)];
+    FoundParameter parameter;
+    parameter.name = ParameterName(finding->effect, column.parameter);
+    parameter.value = estimates.value[k];
+    parameter.sigma = std::sqrt(estimates.covariance(k, k));
+    parameter.ci95_low = parameter.value - quantile * parameter.sigma;
+    parameter.ci95_high = parameter.value + quantile * parameter.sigma;
+    parameter.unit = column.unit;
+    finding->parameters.push_back(parameter);
+    values->push_back({column.parameter, column.unit, parameter.value, parameter.sigma});
+    if (column.positive && parameter.ci95_high < 0) {
+      finding->cautions.push_back(fmt::format(
+          "{} is negative, which no such mechanism can be: check the joints' signs, gravity's "
+          "direction and the masses, or a controller that already compensates",
+          column.parameter));
+    }
+    if (std::abs(parameter.value) > 100 * column.typical) {
+      finding->cautions.push_back(
+          fmt::format("{} is {:.0f} times its usual size: take the name with doubt",
+                      column.parameter,
+                      std::abs(parameter.value) / column.typical));
+    }
+    const double replication = Replication(fit, column);
+    if (replication < kReplicates) {
+      finding->cautions.push_back(fmt::format(
+          "{} differs between the runs by more than its uncertainty (p = {:.2g})",
+          column.parameter,
+          replication));
+    }
+  }
+}
+
+void JudgeOnTestRows(const CompleteFit& before, const CompleteFit& after, DiagnosisResult* d) {
+  d->validation_method = "set column";
+  d->rms_test_before =
+      Statistics(before.calibration, before.state(), before.calibration.readings.test).rms;
+  d->rms_test_after =
+      Statistics(after.calibration, after.state(), after.calibration.readings.test).rms;
+}
+
+}  // namespace
+
+std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,
+                                      const CompleteFit& before,
+                                      const CompleteFit& after,
+                                      DiagnosisResult* d) {
+  const double sigma = after.fit.noise_seen.sigma;
+  const EffectEstimates estimates = EstimateEffects(after);
+  const Folds folds = MakeFolds(after.calibration);
+  const VectorXd left_out = LeftOutResiduals(after, folds, {});
+  const VectorXd fitted = FittedResiduals(after, {});
+  d->validation_method = folds.method;
+  d->rms_train_before =
+      Rms(FittedResiduals(before, {}), before.fit.noise_seen.sigma);
+  d->rms_train_after = Rms(fitted, sigma);
+  d->rms_test_before = Rms(LeftOutResiduals(before, folds, {}), before.fit.noise_seen.sigma);
+  d->rms_test_after = Rms(left_out, sigma);
+  const bool has_test = !after.calibration.readings.test.empty();
+  if (has_test) JudgeOnTestRows(before, after, d);
+
+  const std::vector<std::vector<int>> columns = ColumnsOf(effects, after.calibration);
+  const PhysicsContext context = after.calibration.Context();
+  std::vector<Finding> findings;
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    const Effect& effect = *FindEffect(effects[i].effect);
+    Finding finding;
+    finding.effect = effects[i];
+    const EffectPlace place = effect.Place(context, effects[i]);
+    finding.effect_class = place.effect_class;
+    finding.location = place.location;
+    finding.driver = place.driver;
+    std::vector<EffectValue> values;
+    AddParameters(columns[i], after, estimates, &finding, &values);
+    finding.sentence = effect.Sentence(effects[i], values);
+    const VectorXd fitted_without = FittedResiduals(after, columns[i]);
+    const VectorXd left_out_without = LeftOutResiduals(after, folds, columns[i]);
+    finding.rms_train_before = Rms(fitted_without, sigma);
+    finding.rms_train_after = d->rms_train_after;
+    finding.rms_test_before = Rms(left_out_without, sigma);
+    finding.rms_test_after = Rms(left_out, sigma);
+    if (has_test && effects.size() == 1) {
+      finding.rms_test_before = d->rms_test_before;
+      finding.rms_test_after = d->rms_test_after;
+    }
+    LogPredictive(left_out_without, left_out, estimates.sigma_scale, &finding);
+    const auto n = static_cast<double>(fitted.size());
+    const auto k = static_cast<double>(columns[i].size());
+    finding.delta_bic =
+        n * std::log(fitted_without.squaredNorm() / fitted.squaredNorm()) - k * std::log(n);
+    const double gain = fitted_without.squaredNorm() - fitted.squaredNorm();
+    finding.p_value = FTail(gain / k / (fitted.squaredNorm() / estimates.dof), k, estimates.dof);
+    findings.push_back(finding);
+  }
+  return findings;
+}
+
+std::vector<MovedParameter> MovedParameters(const CompleteFit& before, const CompleteFit& after) {
+  const FitAnalysis analysis = Analyse(after.calibration, after.fit);
+  std::vector<MovedParameter> moved;
+  for (std::size_t k = 0; k < before.calibration.parameters.size(); ++k) {
+    const Parameter& p = before.calibration.parameters[k];
+    if (p.group == ParameterGroup::kBase || p.effect_column >= 0) continue;
+    const auto i = static_cast<Eigen::Index>(k);
+    MovedParameter m;
+    m.name = p.name;
+    m.unit = ToString(p.unit);
+    m.before = before.state()[i];
+    m.after = after.state()[i];
+    m.sigma = std::sqrt(analysis.identifiability.covariance(i, i));
+    if (std::abs(m.after - m.before) > kMovedSigmas * m.sigma) moved.push_back(m);
+  }
+  std::sort(moved.begin(), moved.end(), [](const MovedParameter& a, const MovedParameter& b) {
+    return std::abs(a.after - a.before) / a.sigma > std::abs(b.after - b.before) / b.sigma;
+  });
+  if (moved.size() > kMostMoved) moved.resize(kMostMoved);
+  return moved;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,26 @@
+// Turns a set of names into findings: refitted together with the geometry, judged on rows that were
+// not fitted, and put into words.
+#ifndef DHCAL_PROBLEMS_DIAGNOSIS_FINDINGS_H_
+#define DHCAL_PROBLEMS_DIAGNOSIS_FINDINGS_H_
+
+#include <vector>
+
+#include "core/model/diagnosis.h"
+#include "problems/diagnosis/complete_fit.h"
+#include "problems/diagnosis/unseen.h"
+
+namespace dhcal {
+
+/// Findings of `effects`, the last ones among `after`'s; `before` is the complete geometry alone
+/// (and the problem file's own effects). Fills the diagnosis' totals as well.
+std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,
+                                      const CompleteFit& before,
+                                      const CompleteFit& after,
+                                      DiagnosisResult* diagnosis);
+
+/// Geometric parameters that the effects moved by more than their uncertainty, largest first.
+std::vector<MovedParameter> MovedParameters(const CompleteFit& before, const CompleteFit& after);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_DIAGNOSIS_FINDINGS_H_

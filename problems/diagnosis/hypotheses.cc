@@ -1,0 +1,133 @@
+#include "problems/diagnosis/hypotheses.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/QR>
+#include <fmt/format.h>
+#include <glog/logging.h>
+
+#include "core/physics/registry.h"
+#include "problems/diagnosis/projection.h"
+
+namespace dhcal {
+namespace {
+
+/// Effect, joint and the settings that are not scanned.
+std::string FamilyOf(const EffectRequest& request) {
+  std::string family = fmt::format("{}.{}", request.effect, request.joint);
+  for (const auto& [key, value] : request.settings) {
+    if (key == "at_s" || key == "at_row" || key == "time_constant_s") {
+      family += "." + key;
+    } else {
+      family += fmt::format(".{}={:g}", key, value);
+    }
+  }
+  return family;
+}
+
+}  // namespace
+
+HypothesisSpace::HypothesisSpace(const PhysicsContext& context,
+                                 const DesignRows& rows,
+                                 const Eigen::MatrixXd& U,
+                                 const Eigen::VectorXd& y)
+    : context_(context), rows_(rows), U_(U), y_(y), X_(y.size(), 0) {}
+
+Eigen::MatrixXd HypothesisSpace::Raw(const std::vector<EffectColumn>& columns) const {
+  Eigen::MatrixXd raw(rows_.num_rows(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    raw.col(static_cast<Eigen::Index>(k)) = columns[k].typical * rows_.Column(columns[k].slots);
+  }
+  return raw;
+}
+
+ColumnRange HypothesisSpace::AddColumns(const Eigen::MatrixXd& raw) {
+  const ColumnRange range{num_columns_, static_cast<int>(raw.cols())};
+  if (num_columns_ + range.size > X_.cols()) {
+    X_.conservativeResize(Eigen::NoChange, std::max<Eigen::Index>(2 * X_.cols(), 256) + range.size);
+  }
+  X_.middleCols(num_columns_, range.size) = ProjectOff(U_, raw);
+  for (int k = 0; k < range.size; ++k) norm2_.push_back(raw.col(k).squaredNorm());
+  num_columns_ += range.size;
+  return range;
+}
+
+int HypothesisSpace::AddEffect(const EffectRequest& request, bool in_maximum) {
+  const Effect* const effect = FindEffect(request.effect);
+  CHECK(effect != nullptr);
+  Hypothesis h;
+  h.named = true;
+  h.request = request;
+  h.place = effect->Place(context_, request);
+  h.family = FamilyOf(request);
+  h.in_maximum = in_maximum;
+  h.columns = AddColumns(Raw(effect->Columns(context_, request)));
+  all_.push_back(h);
+  const auto idx = static_cast<int>(all_.size()) - 1;
+  std::vector<EffectColumn> errors = effect->ShapeErrors(context_, request);
+  if (!errors.empty()) {
+    // In units of the first parameter's column, so that its estimate scales them.
+    const double typical = effect->Columns(context_, request).front().typical;
+    for (EffectColumn& error : errors) error.typical = typical;
+    Hypothesis shape;
+    shape.in_maximum = false;
+    shape.slot = h.place.location;
+    shape.driver = "shape of " + request.effect;
+    shape.columns = AddColumns(Raw(errors));
+    all_.push_back(shape);
+    all_[static_cast<std::size_t>(idx)].shape_block = idx + 1;
+  }
+  return idx;
+}
+
+int HypothesisSpace::AddMap(const MapBlock& block) {
+  Eigen::MatrixXd raw(rows_.num_rows(), static_cast<Eigen::Index>(block.columns.size()));
+  for (std::size_t k = 0; k < block.columns.size(); ++k) {
+    raw.col(static_cast<Eigen::Index>(k)) = rows_.Column(block.columns[k]);
+  }
+  Hypothesis h;
+  h.slot = block.slot;
+  h.driver = block.driver;
+  h.driver_values = block.driver_values;
+  h.knots = block.knots;
+  h.columns = AddColumns(raw);
+  all_.push_back(h);
+  return static_cast<int>(all_.size()) - 1;
+}
+
+BlockTests HypothesisSpace::Tests(double nu,
+                                  bool sigma_known,
+                                  int draws,
+                                  std::uint64_t seed) const {
+  const auto X = X_.leftCols(num_columns_);
+  BlockGram gram;
+  gram.S.setZero(num_columns_, num_columns_);
+  gram.S.selfadjointView<Eigen::Lower>().rankUpdate(X.transpose());
+  gram.S.triangularView<Eigen::StrictlyUpper>() = gram.S.transpose();
+  gram.z = X.transpose() * y_;
+  gram.norm2 = Eigen::Map<const Eigen::VectorXd>(norm2_.data(), num_columns_);
+  gram.rss = y_.squaredNorm();
+  gram.nu = nu;
+  gram.sigma_known = sigma_known;
+  std::vector<ColumnRange> blocks;
+  std::vector<bool> in_maximum;
+  for (const Hypothesis& h : all_) {
+    blocks.push_back(h.columns);
+    in_maximum.push_back(h.in_maximum);
+  }
+  return BlockTests(std::move(gram), std::move(blocks), std::move(in_maximum), draws, seed);
+}
+
+double HypothesisSpace::Removes(const EffectRequest& request, const Eigen::MatrixXd& extra) const {
+  Eigen::MatrixXd X = ProjectOff(U_, Raw(EffectColumns(context_, request)));
+  Eigen::VectorXd y = y_;
+  if (extra.cols() > 0) {
+    X = ProjectOff(extra, X);
+    y = ProjectOff(extra, y);
+  }
+  const Eigen::MatrixXd basis = OrthonormalBasis(X, 1e-3);
+  return (basis.transpose() * y).squaredNorm();
+}
+
+}  // namespace dhcal

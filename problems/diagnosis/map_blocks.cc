@@ -1,0 +1,238 @@
+// The anonymous blocks: where x what drives it.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/physics/gravity.h"
+#include "problems/diagnosis/hypotheses.h"
+
+namespace dhcal {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr int kOwnJointKnots = 24;  // a joint's own angle: fine enough for a damaged tooth
+constexpr int kKnots = 6;
+constexpr int kMostRuns = 12;
+constexpr int kFewRows = 60;  // with fewer rows, curves of fewer knots
+
+/// A driver and the functions of it that are tried.
+struct Driver {
+  std::string name;
+  VectorXd values;  // empty: several
+  std::vector<double> knots;
+  Eigen::MatrixXd functions;  // rows x functions
+};
+
+bool Varies(const VectorXd& values) {
+  return values.size() > 0 && values.allFinite() &&
+         values.maxCoeff() - values.minCoeff() >
+             1e-9 * std::max(1.0, values.cwiseAbs().maxCoeff());
+}
+
+/// Knots at quantiles, so that every hat has rows under it.
+std::vector<double> Knots(const VectorXd& values, int count) {
+  std::vector<double> sorted(values.begin(), values.end());
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<double> knots;
+  for (int k = 0; k < count; ++k) {
+    const auto at = static_cast<std::size_t>(
+        std::lround(k * static_cast<double>(sorted.size() - 1) / (count - 1)));
+    if (knots.empty() || sorted[at] > knots.back() + 1e-12) knots.push_back(sorted[at]);
+  }
+  return knots;
+}
+
+Driver Curve(std::string name, const VectorXd& values, int knots) {
+  Driver driver{std::move(name), values, Knots(values, knots), {}};
+  driver.functions = Hats(values, driver.knots);
+  return driver;
+}
+
+/// Linear and square of a standardised value: for drivers that take few values.
+Driver Powers(std::string name, const VectorXd& values, int powers) {
+  const double mean = values.mean();
+  const VectorXd centred = values.array() - mean;
+  const double spread = std::max(std::sqrt(centred.array().square().mean()), 1e-300);
+  Driver driver{std::move(name), values, Knots(values, kKnots), {}};
+  driver.functions.resize(values.size(), powers);
+  for (int k = 0; k < powers; ++k) {
+    driver.functions.col(k) = (centred / spread).array().pow(k + 1).matrix();
+  }
+  return driver;
+}
+
+MapBlock OnSlots(const std::string& name, const std::vector<int>& slots, const Driver& driver) {
+  MapBlock block;
+  block.slot = name;
+  block.driver = driver.name;
+  block.driver_values = driver.values;
+  block.knots = driver.knots;
+  for (const int slot : slots) {
+    for (Eigen::Index k = 0; k < driver.functions.cols(); ++k) {
+      block.columns.push_back({{slot, driver.functions.col(k)}});
+    }
+  }
+  return block;
+}
+
+/// Drivers that every slot is tried with.
+std::vector<Driver> CommonDrivers(const PhysicsContext& c) {
+  const Recording& rec = c.recording();
+  std::vector<Driver> drivers;
+  const auto add = [&](const std::string& name, const VectorXd& values) {
+    if (Varies(values)) drivers.push_back(Powers(name, values, 2));
+  };
+  if (Varies(c.clock())) {
+    drivers.push_back(Curve(c.has_time() ? "time" : "order of the rows", c.clock(), kKnots));
+  }
+  VectorXd payload(c.num_rows());
+  for (int row = 0; row < c.num_rows(); ++row) payload[row] = c.payload(row);
+  add("payload", payload);
+  for (Eigen::Index k = 0; k < rec.temperature.cols(); ++k) {
+    add(rec.temperature.cols() == 1 ? "temperature" : fmt::format("temperature {}", k + 1),
+        rec.temperature.col(k));
+  }
+  for (const ExtraColumn& column : rec.extra) add("column " + column.name, column.values);
+  return drivers;
+}
+
+/// Drivers of one joint's slot only.
+std::vector<Driver> OwnDrivers(const PhysicsContext& c, int joint, int own_knots) {
+  std::vector<Driver> drivers;
+  const Recording& rec = c.recording();
+  drivers.push_back(Curve(fmt::format("q{}", joint + 1), c.q(joint), own_knots));
+  const VectorXd direction = c.direction().col(joint);
+  if (Varies(direction)) drivers.push_back(Powers("approach direction", direction, 1));
+  if (rec.speed.rows() > 0 && Varies(rec.speed.col(joint))) {
+    drivers.push_back(Powers("joint speed", rec.speed.col(joint), 2));
+  }
+  if (rec.torque.rows() > 0 && Varies(rec.torque.col(joint))) {
+    drivers.push_back(Powers("measured torque", rec.torque.col(joint), 3));
+  }
+  if (!c.robot().links.empty() && GravityLoads(c, joint)) {
+    drivers.push_back(
+        Powers("gravity torque", GravityTorque(c, MassCases(c, joint).front(), joint), 3));
+  }
+  return drivers;
+}
+
+/// All products of two joint angles: interactions that no function of one angle describes.
+Driver Products(const PhysicsContext& c) {
+  Driver driver;
+  driver.name = "products of joint angles";
+  const int n = c.num_joints();
+  driver.functions.resize(c.num_rows(), n * (n - 1) / 2);
+  Eigen::Index col = 0;
+  for (int i = 0; i < n; ++i) {
+    for (int k = i + 1; k < n; ++k) {
+      const VectorXd a = c.q(i).array() - c.q(i).mean(), b = c.q(k).array() - c.q(k).mean();
+      driver.functions.col(col++) = a.cwiseProduct(b);
+    }
+  }
+  return driver;
+}
+
+/// A smooth warp of the instrument's space: all squares and cubes of the measured position.
+MapBlock Warp(const PhysicsContext& c) {
+  Eigen::Matrix3Xd p(3, c.num_rows());
+  for (int row = 0; row < c.num_rows(); ++row) p.col(row) = c.p_WQ(row);
+  p.colwise() -= p.rowwise().mean().eval();
+  Driver driver;
+  driver.name = "measured position";
+  driver.functions.resize(c.num_rows(), 16);
+  Eigen::Index col = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = i; j < 3; ++j) {
+      const VectorXd square = p.row(i).cwiseProduct(p.row(j)).transpose();
+      driver.functions.col(col++) = square;
+      for (int k = j; k < 3; ++k) {
+        driver.functions.col(col++) = square.cwiseProduct(p.row(k).transpose());
+      }
+    }
+  }
+  return OnSlots("base", {c.slots().base(0), c.slots().base(1), c.slots().base(2)}, driver);
+}
+
+/// Runs against each other: each shifts the base.
+std::vector<MapBlock> Runs(const PhysicsContext& c,
+                           const std::vector<std::pair<std::string, std::vector<int>>>& frames) {
+  const auto num_runs = static_cast<int>(c.recording().run_names.size());
+  if (num_runs < 2 || num_runs > kMostRuns) return {};
+  Driver driver;
+  driver.name = "run";
+  driver.functions.setZero(c.num_rows(), num_runs - 1);
+  for (int row = 0; row < c.num_rows(); ++row) {
+    const int run = c.recording().run(row);
+    if (run > 0) driver.functions(row, run - 1) = 1;
+  }
+  std::vector<MapBlock> blocks;
+  for (const auto& [name, slots] : frames) blocks.push_back(OnSlots(name, slots, driver));
+  return blocks;
+}
+
+}  // namespace
+
+Eigen::MatrixXd Hats(const VectorXd& values, const std::vector<double>& knots) {
+  Eigen::MatrixXd hats =
+      Eigen::MatrixXd::Zero(values.size(), static_cast<Eigen::Index>(knots.size()));
+  for (Eigen::Index row = 0; row < values.size(); ++row) {
+    const auto above = std::upper_bound(knots.begin(), knots.end(), values[row]);
+    const auto right = std::clamp<Eigen::Index>(
+        above - knots.begin(), 1, std::max<Eigen::Index>(1, hats.cols() - 1));
+    if (hats.cols() == 1) {
+      hats(row, 0) = 1;
+      continue;
+    }
+    const double low = knots[static_cast<std::size_t>(right - 1)];
+    const double high = knots[static_cast<std::size_t>(right)];
+    const double part = std::clamp((values[row] - low) / (high - low), 0.0, 1.0);
+    hats(row, right - 1) = 1 - part;
+    hats(row, right) = part;
+  }
+  return hats;
+}
+
+std::vector<MapBlock> MapBlocks(const PhysicsContext& c) {
+  const SlotLayout& slots = c.slots();
+  const std::vector<std::pair<std::string, std::vector<int>>> frames = {
+      {"base", {slots.base(0), slots.base(1), slots.base(2)}},
+      {"tool", {slots.tool(0), slots.tool(1), slots.tool(2)}}};
+  const int own_knots = c.num_rows() < kFewRows ? 8 : kOwnJointKnots;
+  const std::vector<Driver> common = CommonDrivers(c);
+  const Driver products = Products(c);
+  std::vector<Driver> angles;
+  for (int joint = 0; joint < c.num_joints(); ++joint) {
+    if (!Varies(c.q(joint))) continue;
+    angles.push_back(Curve(fmt::format("q{}", joint + 1), c.q(joint), kKnots));
+  }
+  std::vector<MapBlock> blocks;
+  for (int joint = 0; joint < c.num_joints(); ++joint) {
+    const int slot = c.joint_slot(joint);
+    const std::string name = slots.Name(slot);
+    const std::string own = fmt::format("q{}", joint + 1);
+    if (Varies(c.q(joint))) {
+      for (const Driver& driver : OwnDrivers(c, joint, own_knots)) {
+        blocks.push_back(OnSlots(name, {slot}, driver));
+      }
+    }
+    for (const Driver& driver : angles) {
+      if (driver.name != own) blocks.push_back(OnSlots(name, {slot}, driver));
+    }
+    for (const Driver& driver : common) blocks.push_back(OnSlots(name, {slot}, driver));
+    blocks.push_back(OnSlots(name, {slot}, products));
+  }
+  for (const auto& [name, frame_slots] : frames) {
+    for (const Driver& driver : angles) blocks.push_back(OnSlots(name, frame_slots, driver));
+    for (const Driver& driver : common) blocks.push_back(OnSlots(name, frame_slots, driver));
+  }
+  blocks.push_back(Warp(c));
+  for (MapBlock& block : Runs(c, frames)) blocks.push_back(std::move(block));
+  return blocks;
+}
+
+}  // namespace dhcal

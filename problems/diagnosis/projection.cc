@@ -1,0 +1,71 @@
+#include "problems/diagnosis/projection.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include "core/math/statistics.h"
+#include "core/math/tsqr.h"
+
+namespace dhcal {
+namespace {
+
+constexpr double kZeroColumn = 1e-7;    // of the longest column
+constexpr double kOutlier = 4.5;        // standard deviations
+constexpr double kMostOutliers = 0.05;  // of all readings
+
+}  // namespace
+
+Eigen::MatrixXd OrthonormalBasis(const Eigen::MatrixXd& J, double relative_cut) {
+  const Eigen::VectorXd norms = J.colwise().norm();
+  const double longest = norms.size() > 0 ? norms.maxCoeff() : 0;
+  std::vector<int> used;
+  for (Eigen::Index k = 0; k < norms.size(); ++k) {
+    if (norms[k] > kZeroColumn * longest) used.push_back(static_cast<int>(k));
+  }
+  if (used.empty()) return Eigen::MatrixXd(J.rows(), 0);
+  const Eigen::MatrixXd scaled =
+      J(Eigen::all, used) * norms(used).cwiseInverse().asDiagonal();
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(scaled);
+  const Eigen::Index cols = scaled.cols();
+  const Eigen::MatrixXd R =
+      qr.matrixQR().topRows(std::min(cols, J.rows())).triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(R, Eigen::ComputeThinU);
+  Eigen::Index rank = 0;
+  while (rank < svd.singularValues().size() &&
+         svd.singularValues()[rank] > relative_cut * svd.singularValues()[0]) {
+    ++rank;
+  }
+  Eigen::MatrixXd U = Eigen::MatrixXd::Zero(J.rows(), rank);
+  U.topRows(svd.matrixU().rows()) = svd.matrixU().leftCols(rank);
+  U.applyOnTheLeft(qr.householderQ());
+  return U;
+}
+
+std::vector<bool> FlagOutliers(const Eigen::VectorXd& y,
+                               const Eigen::MatrixXd& U,
+                               int coordinates) {
+  const auto num_readings = static_cast<std::size_t>(y.size() / coordinates);
+  std::vector<bool> flagged(num_readings, false);
+  std::vector<double> values;
+  for (Eigen::Index k = 0; k < y.size(); ++k) {
+    const double free = std::max(1 - U.row(k).squaredNorm(), 1e-3);
+    values.push_back(y[k] / std::sqrt(free));
+  }
+  const double scale = RobustScale(values);
+  if (!(scale > 0)) return flagged;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (std::abs(values[k]) > kOutlier * scale) {
+      flagged[k / static_cast<std::size_t>(coordinates)] = true;
+    }
+  }
+  const auto count = std::count(flagged.begin(), flagged.end(), true);
+  if (static_cast<double>(count) > kMostOutliers * static_cast<double>(num_readings)) {
+    flagged.assign(num_readings, false);
+  }
+  return flagged;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,31 @@
+// Takes out of rows what the geometry can explain, and sets aside readings that no model explains.
+#ifndef DHCAL_PROBLEMS_DIAGNOSIS_PROJECTION_H_
+#define DHCAL_PROBLEMS_DIAGNOSIS_PROJECTION_H_
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace dhcal {
+
+/// Orthonormal basis of the columns of J that are independent to `relative_cut` after scaling the
+/// columns to unit length. Columns that are zero but for rounding are dropped first: scaling them
+/// up would make directions out of nothing (physics.md B.2).
+Eigen::MatrixXd OrthonormalBasis(const Eigen::MatrixXd& J, double relative_cut = 1e-7);
+
+/// v without what lies in the basis.
+template <typename Derived>
+Eigen::MatrixXd ProjectOff(const Eigen::MatrixXd& U, const Eigen::MatrixBase<Derived>& v) {
+  return v - U * (U.transpose() * v);
+}
+
+/// Readings of which a coordinate lies more than 4.5 robust standard deviations off, by the
+/// residual's own spread (a misfit widens it). None where they are so many that they are no
+/// outliers. `y`: rows projected off U; `sigma` > 0: known, else found.
+std::vector<bool> FlagOutliers(const Eigen::VectorXd& y,
+                               const Eigen::MatrixXd& U,
+                               int coordinates);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_DIAGNOSIS_PROJECTION_H_

@@ -1,0 +1,93 @@
+#include "problems/diagnosis/refine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <boost/math/tools/minima.hpp>
+
+#include "core/base/units.h"
+
+namespace dhcal {
+namespace {
+
+constexpr int kBits = 20;
+constexpr std::size_t kMostInstants = 200;
+
+std::string ScannedKey(const EffectRequest& request) {
+  for (const char* const key : {"at_s", "at_row", "time_constant_s"}) {
+    if (request.settings.count(key) > 0) return key;
+  }
+  return "";
+}
+
+/// Every instant between two rows, thinned to a number.
+std::vector<double> Instants(const PhysicsContext& c) {
+  std::vector<double> times(c.clock().begin(), c.clock().end());
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+}  // namespace
+
+bool HasScannedSetting(const EffectRequest& request) { return !ScannedKey(request).empty(); }
+
+EffectRequest RefineSetting(const HypothesisSpace& space,
+                            const EffectRequest& request,
+                            const Eigen::MatrixXd& extra) {
+  const std::string key = ScannedKey(request);
+  EffectRequest best = request;
+  double most = space.Removes(request, extra);
+  const auto consider = [&](double setting) {
+    EffectRequest tried = request;
+    tried.settings[key] = setting;
+    const double removed = space.Removes(tried, extra);
+    if (removed > most) {
+      most = removed;
+      best = tried;
+    }
+    return removed;
+  };
+  if (key == "time_constant_s") {
+    const double duration = space.context().duration();
+    if (request.settings.at(key) <= 0) return request;
+    const auto found = boost::math::tools::brent_find_minima(
+        [&](double log_constant) { return -consider(std::exp(log_constant)); },
+        std::log(0.02 * duration),
+        std::log(2.0 * duration),
+        kBits / 2);
+    consider(std::exp(found.first));
+    return best;
+  }
+  // Instants: coarse over all, then every one around the best.
+  const std::vector<double> times = Instants(space.context());
+  const std::size_t stride = std::max<std::size_t>(1, times.size() / kMostInstants);
+  for (std::size_t k = 1; k + 1 < times.size(); k += stride) consider(times[k]);
+  if (stride > 1) {
+    const auto at = std::lower_bound(times.begin(), times.end(), best.settings.at(key));
+    const auto middle = static_cast<std::size_t>(at - times.begin());
+    const std::size_t first = middle > stride ? middle - stride : 1;
+    for (std::size_t k = first; k < std::min(middle + stride, times.size()); ++k) {
+      consider(times[k]);
+    }
+  }
+  return best;
+}
+
+double RefineOrder(const HypothesisSpace& space, const EffectRequest& request, double order) {
+  const Eigen::VectorXd q = space.context().q(request.joint - 1);
+  const double half = 2 * kPi / std::max(q.maxCoeff() - q.minCoeff(), 1e-6) / 5;
+  const auto lost = [&](double candidate) {
+    EffectRequest tried = request;
+    tried.settings["order"] = candidate;
+    return -space.Removes(tried, Eigen::MatrixXd(space.y().size(), 0));
+  };
+  return boost::math::tools::brent_find_minima(
+             lost, std::max(order - half, 0.1), order + half, kBits)
+      .first;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,41 @@
+// Periodic errors of unknown order: a periodogram of each joint's angle with the geometry taken
+// out, and the false-alarm probability of its peaks.
+#ifndef DHCAL_PROBLEMS_DIAGNOSIS_SPECTRUM_H_
+#define DHCAL_PROBLEMS_DIAGNOSIS_SPECTRUM_H_
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/physics/context.h"
+#include "problems/diagnosis/design_rows.h"
+
+namespace dhcal {
+
+/// Orders are scanned up to twice the highest usual gear ratio (161): a wave generator's mesh.
+constexpr double kHighestOrder = 330;
+/// Below, the fixed orders 1 and 2 of gear_harmonic stand for all that is smooth.
+constexpr double kLowestOrder = 2.5;
+
+struct SpectralPeak {
+  int joint = -1;     // from 0
+  double order = 0;   // per turn of the joint
+  double Q = 0;       // squares that sine and cosine remove
+  double p = 1;       // of this order alone
+  double p_scan = 1;  // that the largest peak of all joints is as high under noise
+};
+
+/// The highest peak of each revolute joint. `basis`: orthonormal, geometry and what is modelled
+/// already; `y`: rows projected off it; `nu`: their freedom; `sigma_known`: y has unit variance.
+/// The scan's false-alarm probability is Baluev's (2008) bound for periodograms: with W turns times
+/// spread of the angle, P(max > z) <= W sqrt(z) exp(-z), z = -log p.
+std::vector<SpectralPeak> ScanOrders(const PhysicsContext& context,
+                                     const DesignRows& rows,
+                                     const Eigen::MatrixXd& basis,
+                                     const Eigen::VectorXd& y,
+                                     double nu,
+                                     bool sigma_known);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_DIAGNOSIS_SPECTRUM_H_

@@ -1,0 +1,330 @@
+#include "problems/diagnosis/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <Eigen/QR>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/base/units.h"
+#include "core/physics/registry.h"
+#include "problems/diagnosis/elsewhere.h"
+#include "problems/diagnosis/projection.h"
+
+namespace dhcal {
+namespace {
+
+constexpr std::size_t kMostMapEntries = 40;
+constexpr double kWorthMeasuring = 3;  // standard deviations of a coordinate
+
+const Hypothesis& At(const HypothesisSpace& space, int idx) {
+  return space.all()[static_cast<std::size_t>(idx)];
+}
+
+bool IsPhysics(const Finding& finding) { return finding.effect_class != "geometry"; }
+
+void FillMap(const HypothesisSpace& space, const SearchOutcome& out, DiagnosisResult* d) {
+  for (std::size_t k = 0; k < out.scores.size() && k < space.all().size(); ++k) {
+    const Hypothesis& h = space.all()[k];
+    const BlockScore& score = out.scores[k];
+    if (h.named || !h.in_maximum || score.k == 0) continue;
+    MapEntry entry;
+    entry.slot = h.slot;
+    entry.driver = h.driver;
+    entry.statistic = score.Q;
+    entry.dof = score.k;
+    entry.p_value = score.p;
+    entry.rms = d->misfit.noise_sigma *
+                std::sqrt(score.Q / static_cast<double>(space.y().size()));
+    d->map.push_back(entry);
+  }
+  std::sort(d->map.begin(), d->map.end(), [](const MapEntry& a, const MapEntry& b) {
+    return a.p_value != b.p_value ? a.p_value < b.p_value : a.statistic > b.statistic;
+  });
+  if (d->map.size() > kMostMapEntries) d->map.resize(kMostMapEntries);
+}
+
+void FillHypotheses(const HypothesisSpace& space, const SearchOutcome& out, DiagnosisResult* d) {
+  for (const TestedSet& set : out.tested) {
+    HypothesisResult result;
+    for (const int k : set.members) result.effects.push_back(At(space, k).request);
+    result.p_value = set.p;
+    result.kept = set.kept;
+    d->hypotheses.push_back(result);
+  }
+  std::stable_sort(d->hypotheses.begin(), d->hypotheses.end(), [](const auto& a, const auto& b) {
+    return a.kept != b.kept ? a.kept : a.p_value > b.p_value;
+  });
+}
+
+/// What tells the members of a confusability class apart (physics.md A.10).
+std::string ClassAdvice(const std::string& effect_class) {
+  static const std::map<std::string, std::string> advice = {
+      {"C1", "a second target on the base or on link 2, or a load from the side"},
+      {"C2", "the full range of the joint; against gravity, the same poses with another payload"},
+      {"C3", "more than 180 deg of the joint's travel, wrist flips"},
+      {"C4", "approaches with another gravity load, other travel lengths, a longer dwell"},
+      {"C5", "reference poses repeated through the day, a target on the base, thermometers"},
+      {"C6", "measured orientations, several arm shapes before and after the step"},
+      {"C7", "a second length standard"},
+      {"C8", "sidebands of the line, the gear's tooth and pole counts"},
+      {"C9", "wrist flips and turns of joints 4 and 6 beyond 180 deg"}};
+  const auto found = advice.find(effect_class);
+  return found == advice.end() ? "poses over a wider range" : found->second;
+}
+
+/// Kept sets that have another effect in the place of `member`.
+std::vector<int> Alternatives(const SearchOutcome& out, int member) {
+  std::vector<int> others;
+  for (const TestedSet& set : out.tested) {
+    if (!set.kept || set.members.size() != out.accepted.size()) continue;
+    std::vector<int> added, missing;
+    for (const int k : set.members) {
+      if (std::find(out.accepted.begin(), out.accepted.end(), k) == out.accepted.end()) {
+        added.push_back(k);
+      }
+    }
+    for (const int k : out.accepted) {
+      if (std::find(set.members.begin(), set.members.end(), k) == set.members.end()) {
+        missing.push_back(k);
+      }
+    }
+    if (added.size() == 1 && missing.size() == 1 && missing[0] == member) {
+      others.push_back(added[0]);
+    }
+  }
+  return others;
+}
+
+void AddAlternatives(const CompleteFit& geometry,
+                     const HypothesisSpace& space,
+                     const SearchOutcome& out,
+                     DiagnosisResult* d) {
+  const Elsewhere elsewhere(
+      geometry.calibration, geometry.state(), space, geometry.calibration.parameters);
+  for (Finding& finding : d->findings) {
+    int member = -1;
+    for (const int k : out.accepted) {
+      if (At(space, k).request.SameAs(finding.effect)) member = k;
+    }
+    if (member < 0) continue;
+    Elsewhere::Split hardest;
+    int hardest_other = -1;
+    for (const int other : Alternatives(out, member)) {
+      const Hypothesis& h = At(space, other);
+      if (h.family == At(space, member).family) continue;
+      Confusable confusable;
+      confusable.effect = h.request;
+      confusable.location = h.place.location;
+      const Eigen::MatrixXd a = OrthonormalBasis(space.Projected(member), 1e-6);
+      const Eigen::MatrixXd b = OrthonormalBasis(space.Projected(other), 1e-6);
+      confusable.overlap = (a.transpose() * b).norm() / std::sqrt(std::min(a.cols(), b.cols()));
+      finding.confusable_with.push_back(confusable);
+      const Elsewhere::Split split = elsewhere.PosesThatSplit(member, other);
+      if (hardest_other < 0 || split.largest < hardest.largest) {
+        hardest = split;
+        hardest_other = other;
+      }
+    }
+    if (hardest_other < 0) continue;
+    std::sort(finding.confusable_with.begin(),
+              finding.confusable_with.end(),
+              [](const Confusable& a, const Confusable& b) { return a.overlap > b.overlap; });
+    const double worth = kWorthMeasuring * d->misfit.noise_sigma;
+    std::vector<std::string> ways;
+    if (hardest.largest > worth) {
+      ways.push_back(fmt::format("the poses listed, where the two differ by up to {:.2f} mm",
+                                 hardest.largest / kMillimetre));
+      finding.separating_poses = hardest.poses;
+    }
+    if (hardest.with_payload > worth) {
+      ways.push_back(fmt::format("the same poses with 0 and 15 kg (up to {:.2f} mm)",
+                                 hardest.with_payload / kMillimetre));
+    }
+    ways.push_back(ClassAdvice(finding.effect_class));
+    finding.separating_advice = fmt::format("to tell it from {}: {}",
+                                            InstanceName(At(space, hardest_other).request),
+                                            fmt::join(ways, "; or "));
+  }
+}
+
+/// The rest as a curve: the anonymous block's slot against its driver.
+Unexplained Curve(const HypothesisSpace& space,
+                  const std::vector<int>& names,
+                  int block,
+                  double sigma_scale) {
+  constexpr int kCurveKnots = 9;
+  const Hypothesis& h = At(space, block);
+  Unexplained rest;
+  rest.slot = h.slot;
+  rest.driver = h.driver;
+  if (h.driver_values.size() == 0 || h.knots.size() < 2) return rest;
+  std::vector<double> knots;
+  const auto count = std::min<std::size_t>(kCurveKnots, h.knots.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    knots.push_back(h.knots[k * (h.knots.size() - 1) / (count - 1)]);
+  }
+  const SlotLayout& slots = space.context().slots();
+  Eigen::MatrixXd known(space.y().size(), 0);
+  for (const int k : names) {
+    Eigen::MatrixXd more(known.rows(), known.cols() + space.Projected(k).cols());
+    more << known, space.Projected(k);
+    known = more;
+  }
+  const Eigen::MatrixXd basis = OrthonormalBasis(known, 1e-6);
+  const Eigen::VectorXd y = ProjectOff(basis, space.y());
+  double best = -1;
+  for (int slot = 0; slot < slots.size(); ++slot) {
+    const std::string name = slots.Name(slot);
+    const bool of_block = name == h.slot || name == h.slot + "_x" || name == h.slot + "_y" ||
+                          name == h.slot + "_z";
+    if (!of_block) continue;
+    const Eigen::MatrixXd hats = Hats(h.driver_values, knots);
+    Eigen::MatrixXd X(space.y().size(), hats.cols());
+    for (Eigen::Index k = 0; k < hats.cols(); ++k) {
+      X.col(k) = space.rows().Column({{slot, hats.col(k)}});
+    }
+    X = ProjectOff(basis, ProjectOff(space.U(), X));
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+    solver.setThreshold(1e-4);
+    solver.compute(X);
+    const Eigen::VectorXd amount = solver.solve(y);
+    const Eigen::MatrixXd inverse = solver.pseudoInverse();
+    const double removed = (X * amount).squaredNorm();
+    if (removed <= best) continue;
+    best = removed;
+    rest.slot = name;
+    rest.unit = slots.is_angle(slot) ? "rad" : "m";
+    rest.curve.clear();
+    for (Eigen::Index k = 0; k < amount.size(); ++k) {
+      rest.curve.push_back({knots[static_cast<std::size_t>(k)],
+                            amount[k],
+                            sigma_scale * inverse.row(k).norm()});
+    }
+  }
+  return rest;
+}
+
+void AddUnexplained(const HypothesisSpace& space,
+                    const SearchOutcome& out,
+                    double sigma_scale,
+                    DiagnosisResult* d) {
+  int block = out.anonymous.empty() ? -1 : out.anonymous.front();
+  if (block < 0) {
+    for (int k = 0; k < static_cast<int>(out.scores.size()); ++k) {
+      const Hypothesis& h = At(space, k);
+      if (h.named || !h.in_maximum) continue;
+      if (block < 0 || out.scores[static_cast<std::size_t>(k)].z >
+                           out.scores[static_cast<std::size_t>(block)].z) {
+        block = k;
+      }
+    }
+  }
+  if (block < 0) return;
+  d->unexplained = Curve(space, out.accepted, block, sigma_scale);
+  const double all = std::max(out.removed_by_all, 1e-300);
+  d->unexplained->fraction = std::clamp(1 - out.removed_by_names / all, 0.0, 1.0);
+  d->unexplained->rms = d->misfit.noise_sigma *
+                        std::sqrt(std::max(out.removed_by_all - out.removed_by_names, 0.0) /
+                                  static_cast<double>(space.y().size()));
+}
+
+void AddHidden(const CompleteFit& geometry,
+               const HypothesisSpace& space,
+               const SearchOutcome& out,
+               double sigma_scale,
+               DiagnosisResult* d) {
+  const Elsewhere elsewhere(
+      geometry.calibration, geometry.state(), space, geometry.calibration.parameters);
+  std::set<std::string> seen;
+  for (const int k : out.accepted) seen.insert(At(space, k).family);
+  for (int k = 0; k < static_cast<int>(space.all().size()); ++k) {
+    const Hypothesis& h = At(space, k);
+    if (!h.named || !seen.insert(h.family).second) continue;
+    d->hidden.push_back(elsewhere.Risk(k, out.accepted, sigma_scale));
+  }
+  std::sort(d->hidden.begin(), d->hidden.end(), [](const HiddenRisk& a, const HiddenRisk& b) {
+    const double x = std::isnan(a.risk) ? -1 : a.risk, y = std::isnan(b.risk) ? -1 : b.risk;
+    return x > y;
+  });
+}
+
+/// Physics that rows not fitted speak against is withdrawn.
+void Withdraw(DiagnosisResult* d) {
+  auto& findings = d->findings;
+  for (auto finding = findings.begin(); finding != findings.end();) {
+    if (IsPhysics(*finding) && finding->delta_log_predictive < 0) {
+      d->notes.push_back(fmt::format("{} fits the rows but does not predict rows left out; it was "
+                                     "withdrawn.",
+                                     InstanceName(finding->effect)));
+      finding = findings.erase(finding);
+    } else {
+      ++finding;
+    }
+  }
+}
+
+std::string Names(const DiagnosisResult& d) {
+  std::vector<std::string> names;
+  for (const Finding& finding : d.findings) names.push_back(InstanceName(finding.effect));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+void Decide(const SearchOutcome& out, std::size_t names_before, DiagnosisResult* d) {
+  std::size_t physics = 0;
+  bool confusable = false;
+  for (const Finding& finding : d->findings) {
+    if (!IsPhysics(finding)) continue;
+    ++physics;
+    confusable = confusable || !finding.confusable_with.empty();
+  }
+  if (out.consistent) {
+    const bool geometry = !d->findings.empty();
+    d->verdict = geometry ? DiagnosisVerdict::kExplained : DiagnosisVerdict::kConsistent;
+    d->summary = geometry ? "the rigid model meets the noise once its geometry is complete: " +
+                                Names(*d)
+                          : "the rigid model meets the noise; no left-out effect is demonstrated";
+  } else if (physics == 0) {
+    d->verdict = DiagnosisVerdict::kUnexplained;
+    d->summary = "something is left out that no effect of the library describes";
+  } else if (!out.complete || physics < names_before) {
+    d->verdict = DiagnosisVerdict::kPartlyExplained;
+    d->summary = "explained in part by " + Names(*d) + "; the rest is above the noise";
+  } else if (confusable) {
+    d->verdict = DiagnosisVerdict::kAmbiguous;
+    d->summary = "more than one effect explains the misfit on these poses; the likeliest: " +
+                 Names(*d);
+  } else {
+    d->verdict = DiagnosisVerdict::kExplained;
+    d->summary = "explained by " + Names(*d);
+  }
+}
+
+}  // namespace
+
+void Conclude(const CompleteFit& geometry,
+              const HypothesisSpace& space,
+              const SearchOutcome& outcome,
+              DiagnosisResult* d) {
+  const double sigma_scale =
+      d->misfit.noise_known
+          ? 1.0
+          : std::sqrt((space.y().squaredNorm() - outcome.removed_by_all) / d->misfit.dof);
+  FillMap(space, outcome, d);
+  FillHypotheses(space, outcome, d);
+  const std::size_t names_before = outcome.accepted.size();
+  Withdraw(d);
+  if (outcome.complete) AddAlternatives(geometry, space, outcome, d);
+  Decide(outcome, names_before, d);
+  const bool rest = d->verdict == DiagnosisVerdict::kPartlyExplained ||
+                    d->verdict == DiagnosisVerdict::kUnexplained;
+  if (rest) AddUnexplained(space, outcome, sigma_scale, d);
+  AddHidden(geometry, space, outcome, sigma_scale, d);
+}
+
+}  // namespace dhcal
