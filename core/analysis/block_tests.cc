@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <boost/random/chi_squared_distribution.hpp>
 #include <boost/random/mersenne_twister.hpp>
@@ -25,6 +26,8 @@ constexpr double kSmallestShare = 1e-6;
 // Beyond this score no draw comes near; the model is rejected without simulating.
 constexpr double kFarOut = 9.0;
 constexpr int kMostSoft = 200;
+// A probability this far from the level by the geometry's draws is on its side of it.
+constexpr double kClear = 3.0;
 
 /// Eigen-directions of a symmetric matrix scaled to unit norms, above the cut: E with
 /// E E' = pseudo-inverse.
@@ -61,15 +64,20 @@ BlockTests::BlockTests(BlockGram gram,
     : gram_(std::move(gram)), blocks_(std::move(blocks)), in_maximum_(std::move(in_maximum)) {
   CHECK_EQ(blocks_.size(), in_maximum_.size());
   Rng rng(seed);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram_.S);
-  const double cut = 1e-12 * std::max(eigen.eigenvalues().maxCoeff(), 1e-300);
-  Index first = 0;
-  while (first < gram_.S.rows() && eigen.eigenvalues()[first] <= cut) ++first;
-  const Index rank = gram_.S.rows() - first;
+  // Columns of unit length, so that the rank does not depend on their units; S = P'L D L'P, so
+  // P'L sqrt(D) n has the covariance S.
+  const VectorXd length = gram_.S.diagonal().cwiseMax(1e-300).cwiseSqrt();
+  const Eigen::LDLT<MatrixXd> ldlt(length.cwiseInverse().asDiagonal() * gram_.S *
+                                   length.cwiseInverse().asDiagonal());
+  const VectorXd D = ldlt.vectorD();
+  const auto most = static_cast<Index>(std::max(gram_.nu, 0.0));
+  Index rank = 0;
+  while (rank < std::min(D.size(), most) && D[rank] > 1e-10) ++rank;
   MatrixXd normal(rank, draws);
   for (double& value : normal.reshaped()) value = rng.Normal();
-  draws_z_ = eigen.eigenvectors().rightCols(rank) *
-             eigen.eigenvalues().tail(rank).cwiseSqrt().asDiagonal() * normal;
+  const MatrixXd L = MatrixXd(ldlt.matrixL()).leftCols(rank) *
+                     D.head(rank).cwiseSqrt().asDiagonal();
+  draws_z_ = length.asDiagonal() * (ldlt.transpositionsP().transpose() * (L * normal));
   draws_rss_ = normal.colwise().squaredNorm().transpose();
   const double rest = gram_.nu - static_cast<double>(rank);
   if (rest > 0) {
@@ -79,6 +87,13 @@ BlockTests::BlockTests(BlockGram gram,
   }
   draws_soft_.resize(kMostSoft, draws);
   for (double& value : draws_soft_.reshaped()) value = rng.Normal();
+  const Conditioned geometry = Condition({});
+  std::vector<MatrixXd> factors(blocks_.size());
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (in_maximum_[b]) factors[b] = Factor(geometry, static_cast<int>(b));
+  }
+  geometry_maxima_ = NullMaxima({}, geometry, factors);
+  std::sort(geometry_maxima_.begin(), geometry_maxima_.end());
 }
 
 std::vector<int> BlockTests::Columns(int block) const {
@@ -146,29 +161,38 @@ double BlockTests::LackOfFit(double rss, double nu) const {
   return gram_.sigma_known && nu > 0 ? ChiSquareScore(rss / nu, nu) : -1e300;
 }
 
+BlockScore BlockTests::ScoreOf(const Conditioned& c, int block) const {
+  const MatrixXd factor = Factor(c, block);
+  BlockScore score;
+  score.k = static_cast<int>(factor.cols());
+  if (score.k == 0) return score;
+  const ColumnRange& range = blocks_[static_cast<std::size_t>(block)];
+  score.Q = (factor.transpose() * c.z.segment(range.first, range.size)).squaredNorm();
+  score.z = NormalScore(score.Q, score.k, c.rss, c.nu);
+  const double rest = c.nu - score.k;
+  if (gram_.sigma_known) {
+    score.p = ChiSquareTail(score.Q, score.k);
+  } else if (rest >= 1) {
+    const double noise = std::max(c.rss - score.Q, 1e-300) / rest;
+    score.p = FTail(score.Q / score.k / noise, score.k, rest);
+  }
+  return score;
+}
+
 std::vector<BlockScore> BlockTests::Scores(const BlockModel& model) const {
   const Conditioned c = Condition(model);
-  std::vector<BlockScore> scores(blocks_.size());
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const MatrixXd factor = Factor(c, static_cast<int>(b));
-    BlockScore& score = scores[b];
-    score.k = static_cast<int>(factor.cols());
-    if (score.k == 0) continue;
-    const ColumnRange& range = blocks_[b];
-    score.Q = (factor.transpose() * c.z.segment(range.first, range.size)).squaredNorm();
-    score.z = NormalScore(score.Q, score.k, c.rss, c.nu);
-    const double rest = c.nu - score.k;
-    score.p = gram_.sigma_known ? ChiSquareTail(score.Q, score.k)
-              : rest >= 1
-                  ? FTail(score.Q / score.k / (std::max(c.rss - score.Q, 1e-300) / rest),
-                          score.k,
-                          rest)
-                  : 1.0;
-  }
+  std::vector<BlockScore> scores;
+  for (int b = 0; b < static_cast<int>(blocks_.size()); ++b) scores.push_back(ScoreOf(c, b));
   return scores;
 }
 
-ModelTest BlockTests::Test(const BlockModel& model, const VectorXd& excused) const {
+BlockScore BlockTests::Score(const BlockModel& model, int block) const {
+  return ScoreOf(Condition(model), block);
+}
+
+ModelTest BlockTests::Test(const BlockModel& model,
+                           double level,
+                           const VectorXd& excused) const {
   const Conditioned c = Condition(model);
   ModelTest test;
   test.rss = c.rss;
@@ -193,10 +217,14 @@ ModelTest BlockTests::Test(const BlockModel& model, const VectorXd& excused) con
     test.p = 1 / (draws + 1);
     return test;
   }
-  const std::vector<double> maxima = NullMaxima(model, c, factors);
-  const auto above =
-      std::count_if(maxima.begin(), maxima.end(), [&](double T) { return T >= test.T; });
-  test.p = (1 + static_cast<double>(above)) / (draws + 1);
+  const auto probability = [&](const std::vector<double>& maxima) {
+    const auto above =
+        std::count_if(maxima.begin(), maxima.end(), [&](double T) { return T >= test.T; });
+    return (1 + static_cast<double>(above)) / (draws + 1);
+  };
+  test.p = probability(geometry_maxima_);
+  const bool decided = test.p > kClear * level || test.p < level / kClear;
+  if (!model.columns.empty() && !decided) test.p = probability(NullMaxima(model, c, factors));
   return test;
 }
 

@@ -68,10 +68,14 @@ class BlockTests {
 
   /// Score of every block beside the model.
   std::vector<BlockScore> Scores(const BlockModel& model) const;
+  BlockScore Score(const BlockModel& model, int block) const;
 
-  /// Tests the model. Blocks of `excused` (index -> largest Q that is immaterial) below their limit
+  /// Tests the model at a level. The law of the maximum hardly depends on the model, so draws under
+  /// the model itself are made only where the geometry's draws do not decide. Blocks of `excused` (index -> largest Q that is immaterial) below their limit
   /// do not count.
-  ModelTest Test(const BlockModel& model, const Eigen::VectorXd& excused = {}) const;
+  ModelTest Test(const BlockModel& model,
+                 double level,
+                 const Eigen::VectorXd& excused = {}) const;
 
   /// False when some block's score (in the order given) already exceeds `limit`.
   bool MayFit(const BlockModel& model,
@@ -104,6 +108,7 @@ class BlockTests {
   Eigen::MatrixXd ConditionalS(const Conditioned& c, int row_block, int col_block) const;
   double NormalScore(double Q, int k, double rss, double nu) const;
   double LackOfFit(double rss, double nu) const;
+  BlockScore ScoreOf(const Conditioned& c, int block) const;
   std::vector<double> NullMaxima(const BlockModel& model,
                                  const Conditioned& c,
                                  const std::vector<Eigen::MatrixXd>& factors) const;
@@ -114,6 +119,7 @@ class BlockTests {
   Eigen::MatrixXd draws_z_;    // columns x draws: X' M e
   Eigen::VectorXd draws_rss_;  // e' M e
   Eigen::MatrixXd draws_soft_;
+  std::vector<double> geometry_maxima_;  // ascending
 };
 
 }  // namespace dhcal

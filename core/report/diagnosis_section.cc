@@ -29,6 +29,7 @@ std::string Upper(std::string text) {
 
 std::string Probability(double p) {
   if (std::isnan(p)) return "-";
+  if (p < 1e-99) return "<1e-99";
   return p < 1e-3 ? fmt::format("{:.1e}", p) : fmt::format("{:.3f}", p);
 }
 

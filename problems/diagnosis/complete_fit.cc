@@ -48,6 +48,36 @@ std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
   return result;
 }
 
+Eigen::MatrixXd GeometryBasis(const CompleteFit& fit, const std::vector<Reading>& readings) {
+  const Calibration& c = fit.calibration;
+  std::vector<Parameter> geometry;
+  Eigen::VectorXd state = fit.state();
+  for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+    if (c.parameters[k].effect_column < 0) {
+      geometry.push_back(c.parameters[k]);
+    } else {
+      state[static_cast<Eigen::Index>(k)] = 0;
+    }
+  }
+  return OrthonormalBasis(
+      DesignRows(c, state, fit.fit.noise_seen, readings).Geometry(geometry));
+}
+
+Eigen::MatrixXd ModelBasis(const CompleteFit& fit, const std::vector<Reading>& readings) {
+  const Calibration& c = fit.calibration;
+  const Eigen::MatrixXd U = GeometryBasis(fit, readings);
+  if (c.effect_columns.empty()) return U;
+  const DesignRows rows(c, fit.state(), fit.fit.noise_seen, readings);
+  Eigen::MatrixXd X(rows.num_rows(), static_cast<Eigen::Index>(c.effect_columns.size()));
+  for (std::size_t k = 0; k < c.effect_columns.size(); ++k) {
+    X.col(static_cast<Eigen::Index>(k)) = rows.Column(c.effect_columns[k].slots);
+  }
+  const Eigen::MatrixXd extra = OrthonormalBasis(ProjectOff(U, X), 1e-6);
+  Eigen::MatrixXd basis(U.rows(), U.cols() + extra.cols());
+  basis << U, extra;
+  return basis;
+}
+
 EffectEstimates EstimateEffects(const CompleteFit& fit) {
   const Calibration& c = fit.calibration;
   EffectEstimates estimates;
@@ -55,11 +85,7 @@ EffectEstimates EstimateEffects(const CompleteFit& fit) {
   estimates.value.resize(num_effects);
   if (num_effects == 0) return estimates;
   const DesignRows rows(c, fit.state(), fit.fit.noise_seen, c.readings.fitted);
-  std::vector<Parameter> geometry;
-  for (const Parameter& p : c.parameters) {
-    if (p.effect_column < 0) geometry.push_back(p);
-  }
-  const Eigen::MatrixXd U = OrthonormalBasis(rows.Geometry(geometry));
+  const Eigen::MatrixXd U = GeometryBasis(fit, c.readings.fitted);
   const Eigen::VectorXd y = ProjectOff(U, rows.y());
   Eigen::MatrixXd X(rows.num_rows(), num_effects);
   Eigen::VectorXd typical(num_effects);

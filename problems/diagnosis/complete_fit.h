@@ -33,6 +33,14 @@ std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
                                          const std::vector<Reading>* readings,
                                          const Progress& progress);
 
+/// Orthonormal basis of what the geometry can do to the whitened rows of `readings`. Taken at zero
+/// effects: a step of the tool, say, would make a hidden direction of the geometry (theta6 against
+/// the tool) faintly visible, and that direction would then swallow the rest of the step.
+Eigen::MatrixXd GeometryBasis(const CompleteFit& fit, const std::vector<Reading>& readings);
+
+/// The same with the columns of the effects that are switched on.
+Eigen::MatrixXd ModelBasis(const CompleteFit& fit, const std::vector<Reading>& readings);
+
 /// Values of the effects' parameters with the whole geometry free (the solver's own rule may hold
 /// weak directions back), in the order of the calibration's effect columns, and their covariance.
 struct EffectEstimates {

@@ -46,12 +46,13 @@ CleanRows Clean(const CompleteFit& fit, std::vector<Reading> readings) {
   for (int round = 0; round <= kOutlierRounds; ++round) {
     clean.readings = readings;
     clean.rows = std::make_unique<DesignRows>(c, fit.state(), fit.fit.noise_seen, readings);
-    clean.U = OrthonormalBasis(clean.rows->Geometry(c.parameters));
+    clean.U = ModelBasis(fit, readings);
     clean.y = ProjectOff(clean.U, clean.rows->y());
     clean.nu = static_cast<double>(clean.rows->num_rows() - clean.U.cols());
     const bool plain = clean.rows->num_readings() == static_cast<int>(readings.size());
     if (round == kOutlierRounds || !plain) break;
     const std::vector<bool> flagged = FlagOutliers(clean.y, clean.U, clean.rows->coordinates());
+    if (FollowAJoint(*clean.rows, clean.y, flagged, c.recording.num_joints())) break;
     std::vector<Reading> good;
     for (std::size_t k = 0; k < readings.size(); ++k) {
       if (flagged[k]) {

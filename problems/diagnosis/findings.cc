@@ -65,7 +65,7 @@ double Replication(const CompleteFit& fit, const EffectColumn& column) {
   const auto num_runs = static_cast<int>(c.recording.run_names.size());
   if (num_runs < 2) return kUnknown;
   const DesignRows rows(c, fit.state(), fit.fit.noise_seen, c.readings.fitted);
-  const Eigen::MatrixXd U = OrthonormalBasis(rows.Geometry(c.parameters));
+  const Eigen::MatrixXd U = ModelBasis(fit, c.readings.fitted);
   Eigen::MatrixXd split(rows.num_rows(), num_runs);
   for (int run = 0; run < num_runs; ++run) {
     std::vector<SlotWeights> own = column.slots;

@@ -68,4 +68,30 @@ std::vector<bool> FlagOutliers(const Eigen::VectorXd& y,
   return flagged;
 }
 
+bool FollowAJoint(const DesignRows& rows,
+                  const Eigen::VectorXd& y,
+                  const std::vector<bool>& flagged,
+                  int num_joints) {
+  constexpr double kChance = 3.7;  // standard deviations, over all joints
+  constexpr int kFewest = 4;
+  const int coordinates = rows.coordinates();
+  const auto count = static_cast<int>(std::count(flagged.begin(), flagged.end(), true));
+  if (coordinates < 3 || count < kFewest) return false;
+  for (int joint = 0; joint < num_joints; ++joint) {
+    const int slot = SlotLayout::kPerJoint * joint;  // theta
+    double sum = 0;
+    for (std::size_t k = 0; k < flagged.size(); ++k) {
+      if (!flagged[k]) continue;
+      const auto first = static_cast<Eigen::Index>(k) * coordinates;
+      const Eigen::Vector3d r = y.segment<3>(first);
+      const Eigen::Vector3d z = rows.now().col(slot).segment<3>(first);
+      const double lengths = r.squaredNorm() * z.squaredNorm();
+      if (lengths > 0) sum += r.dot(z) * r.dot(z) / lengths;
+    }
+    const double mean = sum / count;
+    if ((mean - 1.0 / 3) / std::sqrt(4.0 / 45 / count) > kChance) return true;
+  }
+  return false;
+}
+
 }  // namespace dhcal

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "problems/diagnosis/design_rows.h"
+
 namespace dhcal {
 
 /// Orthonormal basis of the columns of J that are independent to `relative_cut` after scaling the
@@ -25,6 +27,14 @@ Eigen::MatrixXd ProjectOff(const Eigen::MatrixXd& U, const Eigen::MatrixBase<Der
 std::vector<bool> FlagOutliers(const Eigen::VectorXd& y,
                                const Eigen::MatrixXd& U,
                                int coordinates);
+
+/// True if the flagged readings' residuals point along the motion of one joint, or of one axis of
+/// the tool, more than chance allows: then they are a local defect of that joint (a damaged tooth),
+/// not outliers. Random directions have mean cos^2 = 1/3, variance 4/45.
+bool FollowAJoint(const DesignRows& rows,
+                  const Eigen::VectorXd& y,
+                  const std::vector<bool>& flagged,
+                  int num_joints);
 
 }  // namespace dhcal
 

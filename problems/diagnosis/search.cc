@@ -29,7 +29,7 @@ double Combine(double p, double q) {
 class Searcher {
  public:
   Searcher(const SearchOptions& options, HypothesisSpace* space)
-      : options_(options), space_(space) {
+      : options_(options), space_(space), scan_width_(ScanWidth(space->context())) {
     Rebuild();
   }
 
@@ -37,7 +37,7 @@ class Searcher {
     SearchOutcome out;
     out.scores = tests_->Scores({});
     RankBlocks(out.scores);
-    const ModelTest geometry = tests_->Test({});
+    const ModelTest geometry = tests_->Test({}, options_.false_alarm);
     out.score_geometry = geometry.T;
     const std::vector<SpectralPeak> peaks = Scan({});
     out.p_geometry = Combine(geometry.p, LeastScan(peaks));
@@ -120,7 +120,7 @@ class Searcher {
       request.effect = "gear_harmonic";
       request.joint = peak.joint + 1;
       request.settings["order"] = RefineOrder(*space_, request, peak.order);
-      space_->AddEffect(request, /*in_maximum=*/false);
+      lines_.push_back(space_->AddEffect(request, /*in_maximum=*/false));
       any = true;
     }
     return any;
@@ -179,12 +179,23 @@ class Searcher {
     set.members = members;
     constexpr double kHopeless = 7.0;  // no maximum of a few hundred normal scores comes near
     if (!tests_->MayFit(model, order_, kHopeless, excused)) return set;
-    set.p = tests_->Test(model, excused).p;
-    if (set.p > options_.false_alarm) {
-      set.p = Combine(set.p, rescan ? LeastScan(Scan(members)) : 1.0);
-    }
+    const double p_lines = LinesLeft(model);
+    if (p_lines <= options_.false_alarm / 2) return set;
+    set.p = Combine(tests_->Test(model, options_.false_alarm, excused).p, p_lines);
+    // A new scan costs much; a model that leaves no known line hardly leaves another.
+    if (rescan && set.p > options_.false_alarm) set.p = std::min(set.p, LeastScan(Scan(members)));
     set.kept = set.p > options_.false_alarm;
     return set;
+  }
+
+  /// Probability of the highest of the spectrum's known lines beside a model, for the whole scan.
+  double LinesLeft(const BlockModel& model) const {
+    double least = 1;
+    for (const int k : lines_) {
+      const BlockScore score = tests_->Score(model, k);
+      if (score.k > 0) least = std::min(least, ScanProbability(score.p, scan_width_));
+    }
+    return least;
   }
 
   /// Evidence of a set: squares removed against the price of its columns (BIC; larger is better).
@@ -390,6 +401,8 @@ class Searcher {
   std::unique_ptr<BlockTests> tests_;
   std::vector<int> names_;
   std::vector<int> order_;
+  std::vector<int> lines_;  // hypotheses that a scan found
+  double scan_width_;
 };
 
 }  // namespace

@@ -136,7 +136,29 @@ SpectralPeak HighestPeak(const PhysicsContext& c, const JointSums& sums, int joi
   return peak;
 }
 
+bool IsScanned(const PhysicsContext& c, int joint) {
+  const VectorXd q = c.q(joint);
+  return c.revolute(joint) && q.size() > 0 && q.maxCoeff() - q.minCoeff() > 1e-6;
+}
+
 }  // namespace
+
+double ScanWidth(const PhysicsContext& c) {
+  double width = 0;
+  for (int joint = 0; joint < c.num_joints(); ++joint) {
+    if (!IsScanned(c, joint)) continue;
+    const VectorXd q = c.q(joint);
+    const double variance = (q.array() - q.mean()).square().mean();
+    width += (kHighestOrder - kLowestOrder) / (2 * kPi) * std::sqrt(4 * kPi * variance);
+  }
+  return width;
+}
+
+double ScanProbability(double p, double width) {
+  const double z = -std::log(std::max(p, 1e-300));
+  const double bound = width * p * std::sqrt(std::max(z, 0.0));
+  return std::clamp(1 - (1 - p) * std::exp(-bound), 0.0, 1.0);
+}
 
 std::vector<SpectralPeak> ScanOrders(const PhysicsContext& c,
                                      const DesignRows& rows,
@@ -146,20 +168,15 @@ std::vector<SpectralPeak> ScanOrders(const PhysicsContext& c,
                                      bool sigma_known) {
   const double rss = y.squaredNorm();
   std::vector<SpectralPeak> peaks;
-  double width = 0;  // Baluev's W, summed over the joints
   for (int joint = 0; joint < c.num_joints(); ++joint) {
-    const VectorXd q = c.q(joint);
-    if (!c.revolute(joint) || q.size() == 0 || q.maxCoeff() - q.minCoeff() < 1e-6) continue;
-    const double variance = (q.array() - q.mean()).square().mean();
-    width += (kHighestOrder - kLowestOrder) / (2 * kPi) * std::sqrt(4 * kPi * variance);
+    if (!IsScanned(c, joint)) continue;
     const JointSums sums = SumsOf(rows, basis, y, c.joint_slot(joint), c.num_rows());
     peaks.push_back(HighestPeak(c, sums, joint));
   }
+  const double width = ScanWidth(c);
   for (SpectralPeak& peak : peaks) {
     peak.p = TailOf(peak.Q, rss, nu, sigma_known);
-    const double z = -std::log(std::max(peak.p, 1e-300));
-    const double bound = width * peak.p * std::sqrt(std::max(z, 0.0));
-    peak.p_scan = std::clamp(1 - (1 - peak.p) * std::exp(-bound), 0.0, 1.0);
+    peak.p_scan = ScanProbability(peak.p, width);
   }
   return peaks;
 }

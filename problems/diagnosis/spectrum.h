@@ -25,6 +25,12 @@ struct SpectralPeak {
   double p_scan = 1;  // that the largest peak of all joints is as high under noise
 };
 
+/// W of all joints together: the scan is as large as so many independent orders.
+double ScanWidth(const PhysicsContext& context);
+
+/// Probability under noise that the highest of all orders has this p or less.
+double ScanProbability(double p, double width);
+
 /// The highest peak of each revolute joint. `basis`: orthonormal, geometry and what is modelled
 /// already; `y`: rows projected off it; `nu`: their freedom; `sigma_known`: y has unit variance.
 /// The scan's false-alarm probability is Baluev's (2008) bound for periodograms: with W turns times
