@@ -63,30 +63,7 @@ BlockTests::BlockTests(BlockGram gram,
                        std::uint64_t seed)
     : gram_(std::move(gram)), blocks_(std::move(blocks)), in_maximum_(std::move(in_maximum)) {
   CHECK_EQ(blocks_.size(), in_maximum_.size());
-  Rng rng(seed);
-  // Columns of unit length, so that the rank does not depend on their units; S = P'L D L'P, so
-  // P'L sqrt(D) n has the covariance S.
-  const VectorXd length = gram_.S.diagonal().cwiseMax(1e-300).cwiseSqrt();
-  const Eigen::LDLT<MatrixXd> ldlt(length.cwiseInverse().asDiagonal() * gram_.S *
-                                   length.cwiseInverse().asDiagonal());
-  const VectorXd D = ldlt.vectorD();
-  const auto most = static_cast<Index>(std::max(gram_.nu, 0.0));
-  Index rank = 0;
-  while (rank < std::min(D.size(), most) && D[rank] > 1e-10) ++rank;
-  MatrixXd normal(rank, draws);
-  for (double& value : normal.reshaped()) value = rng.Normal();
-  const MatrixXd L = MatrixXd(ldlt.matrixL()).leftCols(rank) *
-                     D.head(rank).cwiseSqrt().asDiagonal();
-  draws_z_ = length.asDiagonal() * (ldlt.transpositionsP().transpose() * (L * normal));
-  draws_rss_ = normal.colwise().squaredNorm().transpose();
-  const double rest = gram_.nu - static_cast<double>(rank);
-  if (rest > 0) {
-    boost::random::mt19937_64 engine(seed + 1);
-    boost::random::chi_squared_distribution<double> chi_square(rest);
-    for (double& value : draws_rss_) value += chi_square(engine);
-  }
-  draws_soft_.resize(kMostSoft, draws);
-  for (double& value : draws_soft_.reshaped()) value = rng.Normal();
+  Simulate(draws, seed);
   const Conditioned geometry = Condition({});
   std::vector<MatrixXd> factors(blocks_.size());
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -96,6 +73,39 @@ BlockTests::BlockTests(BlockGram gram,
   std::sort(geometry_maxima_.begin(), geometry_maxima_.end());
 }
 
+void BlockTests::Simulate(int draws, std::uint64_t seed) {
+  Rng rng(seed);
+  const bool over_rows = gram_.rows.rows() > 0;
+  MatrixXd normal(over_rows ? gram_.rows.rows() : gram_.S.rows(), draws);
+  for (double& value : normal.reshaped()) value = rng.Normal();
+  if (over_rows) {
+    draws_z_ = gram_.rows.transpose() * normal;
+    draws_rss_ = (normal.colwise().squaredNorm() -
+                  (gram_.basis.transpose() * normal).colwise().squaredNorm())
+                     .transpose();
+    gram_.rows.resize(0, 0);
+    gram_.basis.resize(0, 0);
+  } else {
+    // Columns of unit length; the small addition keeps nearly equal columns from failing.
+    constexpr double kAddition = 1e-8;
+    const VectorXd length = gram_.S.diagonal().cwiseMax(1e-300).cwiseSqrt();
+    MatrixXd scaled = length.cwiseInverse().asDiagonal() * gram_.S *
+                      length.cwiseInverse().asDiagonal();
+    scaled.diagonal().array() += kAddition;
+    const Eigen::LLT<MatrixXd> llt(scaled);
+    CHECK(llt.info() == Eigen::Success);
+    draws_z_ = length.asDiagonal() * (llt.matrixL() * normal);
+    draws_rss_ = normal.colwise().squaredNorm().transpose();
+    const double rest = gram_.nu - static_cast<double>(gram_.S.rows());
+    CHECK_GT(rest, 0);
+    boost::random::mt19937_64 engine(seed + 1);
+    boost::random::chi_squared_distribution<double> chi_square(rest);
+    for (double& value : draws_rss_) value += chi_square(engine);
+  }
+  draws_soft_.resize(kMostSoft, draws);
+  for (double& value : draws_soft_.reshaped()) value = rng.Normal();
+}
+
 std::vector<int> BlockTests::Columns(int block) const {
   const ColumnRange& range = blocks_[static_cast<std::size_t>(block)];
   std::vector<int> columns;
@@ -103,27 +113,34 @@ std::vector<int> BlockTests::Columns(int block) const {
   return columns;
 }
 
-BlockTests::Conditioned BlockTests::Condition(const BlockModel& model) const {
-  Conditioned c;
-  c.columns = model.columns;
-  c.columns.insert(c.columns.end(), model.soft.begin(), model.soft.end());
-  c.rss = gram_.rss;
-  c.nu = gram_.nu;
-  c.z = gram_.z;
-  if (c.columns.empty()) {
-    c.F.resize(0, 0);
-    c.G.resize(0, gram_.S.cols());
-    return c;
+BlockTests::Root BlockTests::RootOf(const BlockModel& model) const {
+  Root root;
+  root.columns = model.columns;
+  root.columns.insert(root.columns.end(), model.soft.begin(), model.soft.end());
+  if (root.columns.empty()) {
+    root.F.resize(0, 0);
+    return root;
   }
-  MatrixXd S_AA = gram_.S(c.columns, c.columns);
-  VectorXd norm2 = gram_.norm2(c.columns);
+  MatrixXd S_AA = gram_.S(root.columns, root.columns);
+  VectorXd norm2 = gram_.norm2(root.columns);
   const auto hard = static_cast<Index>(model.columns.size());
   for (Index k = 0; k < static_cast<Index>(model.soft.size()); ++k) {
     const double precision = 1 / std::max(model.soft_sigma[k] * model.soft_sigma[k], 1e-300);
     S_AA(hard + k, hard + k) += precision;
     norm2[hard + k] += precision;
   }
-  c.F = PseudoRoot(S_AA, norm2);
+  root.F = PseudoRoot(S_AA, norm2);
+  return root;
+}
+
+BlockTests::Conditioned BlockTests::Condition(const BlockModel& model) const {
+  Conditioned c;
+  static_cast<Root&>(c) = RootOf(model);
+  c.rss = gram_.rss;
+  c.nu = gram_.nu;
+  c.z = gram_.z;
+  c.G.resize(0, gram_.S.cols());
+  if (c.columns.empty()) return c;
   c.G = c.F.transpose() * gram_.S(c.columns, Eigen::all);
   const VectorXd projected = c.F.transpose() * gram_.z(c.columns);
   c.z -= c.G.transpose() * projected;
@@ -289,19 +306,20 @@ std::vector<double> BlockTests::NullMaxima(const BlockModel& model,
 }
 
 VectorXd BlockTests::Estimate(const BlockModel& model) const {
-  const Conditioned c = Condition(model);
-  return (c.F * (c.F.transpose() * gram_.z(c.columns)))
+  const Root root = RootOf(model);
+  return (root.F * (root.F.transpose() * gram_.z(root.columns)))
       .head(static_cast<Index>(model.columns.size()));
 }
 
 MatrixXd BlockTests::Covariance(const BlockModel& model) const {
-  const Conditioned c = Condition(model);
+  const Root root = RootOf(model);
   const auto hard = static_cast<Index>(model.columns.size());
-  return (c.F * c.F.transpose()).topLeftCorner(hard, hard);
+  return (root.F * root.F.transpose()).topLeftCorner(hard, hard);
 }
 
 double BlockTests::Removed(const BlockModel& model) const {
-  return gram_.rss - Condition(model).rss;
+  const Root root = RootOf(model);
+  return (root.F.transpose() * gram_.z(root.columns)).squaredNorm();
 }
 
 double BlockTests::Overlap(int block, int other, const BlockModel& model) const {

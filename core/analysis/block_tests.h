@@ -21,6 +21,9 @@ struct BlockGram {
   Eigen::VectorXd norm2;  // x'x of each column before the projection
   double rss = 0;
   double nu = 0;
+  /// With few rows the draws are made over them: then there may be more columns than freedom, and S
+  /// has no Cholesky factor. X projected, and the geometry's basis; empty = draw from S.
+  Eigen::MatrixXd rows, basis;
   bool sigma_known = false;  // rows are whitened by a known sigma (else only up to a factor)
 };
 
@@ -95,13 +98,19 @@ class BlockTests {
   double Overlap(int block, int other, const BlockModel& model) const;
 
  private:
-  /// G with S|model = S - G'G, and F with G = F' S_A,: A the model's columns.
-  struct Conditioned {
-    Eigen::MatrixXd F, G;
+  /// F with F F' = pseudo-inverse of S_AA: A the model's columns, soft ones with their precision.
+  struct Root {
+    std::vector<int> columns;
+    Eigen::MatrixXd F;
+  };
+  Root RootOf(const BlockModel& model) const;
+  /// Everything beside a model: S|model = S - G'G, G = F' S_A,.
+  struct Conditioned : Root {
+    Eigen::MatrixXd G;
     Eigen::VectorXd z;
     double rss = 0, nu = 0;
-    std::vector<int> columns;
   };
+  void Simulate(int draws, std::uint64_t seed);
   Conditioned Condition(const BlockModel& model) const;
   /// E with Q = |E' z|^2 for a block; its columns count k.
   Eigen::MatrixXd Factor(const Conditioned& c, int block) const;

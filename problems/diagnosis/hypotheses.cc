@@ -45,7 +45,7 @@ Eigen::MatrixXd HypothesisSpace::Raw(const std::vector<EffectColumn>& columns) c
 ColumnRange HypothesisSpace::AddColumns(const Eigen::MatrixXd& raw) {
   const ColumnRange range{num_columns_, static_cast<int>(raw.cols())};
   if (num_columns_ + range.size > X_.cols()) {
-    X_.conservativeResize(Eigen::NoChange, std::max<Eigen::Index>(2 * X_.cols(), 256) + range.size);
+    X_.conservativeResize(Eigen::NoChange, std::max<Eigen::Index>(X_.cols() + X_.cols() / 4, 256) + range.size);
   }
   X_.middleCols(num_columns_, range.size) = ProjectOff(U_, raw);
   for (int k = 0; k < range.size; ++k) norm2_.push_back(raw.col(k).squaredNorm());
@@ -96,20 +96,37 @@ int HypothesisSpace::AddMap(const MapBlock& block) {
   return static_cast<int>(all_.size()) - 1;
 }
 
+void HypothesisSpace::CompleteGram() const {
+  const Eigen::Index known = S_.cols(), fresh = num_columns_ - known;
+  if (fresh == 0) return;
+  S_.conservativeResize(num_columns_, num_columns_);
+  const auto added = X_.middleCols(known, fresh);
+  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(fresh, fresh);
+  own.selfadjointView<Eigen::Lower>().rankUpdate(added.transpose());
+  own.triangularView<Eigen::StrictlyUpper>() = own.transpose();
+  S_.bottomRightCorner(fresh, fresh) = own;
+  S_.bottomLeftCorner(fresh, known) = added.transpose() * X_.leftCols(known);
+  S_.topRightCorner(known, fresh) = S_.bottomLeftCorner(fresh, known).transpose();
+}
+
 BlockTests HypothesisSpace::Tests(double nu,
                                   bool sigma_known,
                                   int draws,
                                   std::uint64_t seed) const {
   const auto X = X_.leftCols(num_columns_);
   BlockGram gram;
-  gram.S.setZero(num_columns_, num_columns_);
-  gram.S.selfadjointView<Eigen::Lower>().rankUpdate(X.transpose());
-  gram.S.triangularView<Eigen::StrictlyUpper>() = gram.S.transpose();
+  CompleteGram();
+  gram.S = S_;
   gram.z = X.transpose() * y_;
   gram.norm2 = Eigen::Map<const Eigen::VectorXd>(norm2_.data(), num_columns_);
   gram.rss = y_.squaredNorm();
   gram.nu = nu;
   gram.sigma_known = sigma_known;
+  constexpr Eigen::Index kFewRows = 1500;
+  if (X.rows() <= kFewRows || nu <= 1.2 * num_columns_) {
+    gram.rows = X;
+    gram.basis = U_;
+  }
   std::vector<ColumnRange> blocks;
   std::vector<bool> in_maximum;
   for (const Hypothesis& h : all_) {

@@ -77,6 +77,7 @@ class HypothesisSpace {
   double Removes(const EffectRequest& request, const Eigen::MatrixXd& extra) const;
 
  private:
+  void CompleteGram() const;
   ColumnRange AddColumns(const Eigen::MatrixXd& raw);
   Eigen::MatrixXd Raw(const std::vector<EffectColumn>& columns) const;
 
@@ -88,6 +89,7 @@ class HypothesisSpace {
   Eigen::MatrixXd X_;  // num_rows x columns reserved
   int num_columns_ = 0;
   std::vector<double> norm2_;
+  mutable Eigen::MatrixXd S_;  // Gram matrix of the first columns, completed when asked for
 };
 
 }  // namespace dhcal

@@ -1,0 +1,203 @@
+#include "problems/diagnosis/set_tester.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+
+#include "core/physics/registry.h"
+#include "problems/diagnosis/projection.h"
+#include "problems/diagnosis/refine.h"
+
+namespace dhcal {
+namespace {
+
+// Signatures are computed at the nominal robot: what is left of a large effect below these shares
+// of its size (squared amplitude) is the signature's own error, not another effect.
+constexpr double kImmaterial = 0.02 * 0.02;
+constexpr double kImmaterialSamePlace = 0.04 * 0.04;
+// No maximum of a few hundred normal scores comes near.
+constexpr double kHopeless = 7.0;
+constexpr std::size_t kMostRefined = 4;
+// Lines of one joint's gear that are followed.
+constexpr int kMostLines = 8;
+constexpr double kSameOrder = 0.3;
+
+}  // namespace
+
+double Combine(double p, double q) {
+  const double least = std::min(p, q);
+  return 1 - (1 - least) * (1 - least);
+}
+
+SetTester::SetTester(const SearchOptions& options, HypothesisSpace* space)
+    : options_(options), space_(space), scan_width_(ScanWidth(space->context())) {
+  Rebuild();
+}
+
+void SetTester::Rebuild() {
+  tests_ = std::make_unique<BlockTests>(
+      space_->Tests(options_.nu, options_.sigma_known, options_.draws, options_.seed));
+  names_.clear();
+  for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
+    if (at(k).named && MayBeNamed(at(k).request.effect)) names_.push_back(k);
+  }
+  const std::vector<BlockScore> scores = tests_->Scores({});
+  order_.resize(scores.size());
+  std::iota(order_.begin(), order_.end(), 0);
+  std::sort(order_.begin(), order_.end(), [&](int a, int b) {
+    return scores[static_cast<std::size_t>(a)].z > scores[static_cast<std::size_t>(b)].z;
+  });
+}
+
+BlockModel SetTester::Model(const std::vector<int>& members) const {
+  return ModelOf(*space_, *tests_, members);
+}
+
+bool SetTester::MayBeNamed(const std::string& effect) const {
+  const auto& wanted = options_.effects;
+  return wanted.empty() || std::find(wanted.begin(), wanted.end(), effect) != wanted.end();
+}
+
+Eigen::MatrixXd SetTester::BasisOf(const std::vector<int>& members) const {
+  Eigen::Index columns = 0;
+  for (const int k : members) columns += space_->Projected(k).cols();
+  Eigen::MatrixXd all(space_->y().size(), columns);
+  Eigen::Index first = 0;
+  for (const int k : members) {
+    all.middleCols(first, space_->Projected(k).cols()) = space_->Projected(k);
+    first += space_->Projected(k).cols();
+  }
+  return OrthonormalBasis(all, 1e-6);
+}
+
+std::vector<SpectralPeak> SetTester::Scan(const std::vector<int>& members) const {
+  const Eigen::MatrixXd extra = BasisOf(members);
+  Eigen::MatrixXd basis(space_->y().size(), space_->U().cols() + extra.cols());
+  basis << space_->U(), extra;
+  return ScanOrders(space_->context(),
+                    space_->rows(),
+                    basis,
+                    ProjectOff(extra, space_->y()),
+                    options_.nu - static_cast<double>(extra.cols()),
+                    options_.sigma_known);
+}
+
+double SetTester::LeastScan(const std::vector<SpectralPeak>& peaks) {
+  double least = 1;
+  for (const SpectralPeak& peak : peaks) least = std::min(least, peak.p_scan);
+  return least;
+}
+
+bool SetTester::AddPeaks(const std::vector<SpectralPeak>& peaks) {
+  bool any = false;
+  for (const SpectralPeak& peak : peaks) {
+    if (peak.p_scan > options_.false_alarm || !MayBeNamed("gear_harmonic")) continue;
+    EffectRequest request;
+    request.effect = "gear_harmonic";
+    request.joint = peak.joint + 1;
+    request.settings["order"] = RefineOrder(*space_, request, peak.order);
+    lines_.push_back(space_->AddEffect(request, /*in_maximum=*/false));
+    any = true;
+  }
+  return any;
+}
+
+void SetTester::AddRefined(const std::vector<int>& members) {
+  const std::vector<BlockScore> scores = tests_->Scores(Model(members));
+  const auto score = [&](int k) { return scores[static_cast<std::size_t>(k)].z; };
+  std::map<std::string, int> best;  // family -> hypothesis with the highest score
+  for (const int k : names_) {
+    if (!HasScannedSetting(at(k).request)) continue;
+    const auto [entry, is_new] = best.try_emplace(at(k).family, k);
+    if (!is_new && score(k) > score(entry->second)) entry->second = k;
+  }
+  std::vector<int> ranked;
+  for (const auto& [family, k] : best) ranked.push_back(k);
+  std::sort(ranked.begin(), ranked.end(), [&](int a, int b) { return score(a) > score(b); });
+  const Eigen::MatrixXd extra = BasisOf(members);
+  for (std::size_t k = 0; k < ranked.size() && k < kMostRefined; ++k) {
+    if (score(ranked[k]) < 3) break;
+    const EffectRequest refined = RefineSetting(*space_, at(ranked[k]).request, extra);
+    const bool known = std::any_of(names_.begin(), names_.end(), [&](int other) {
+      return at(other).request.SameAs(refined);
+    });
+    if (!known) space_->AddEffect(refined, /*in_maximum=*/false);
+  }
+}
+
+Eigen::VectorXd SetTester::Excused(const BlockModel& model, const std::vector<int>& members) const {
+  const double removed = tests_->Removed(model);
+  std::set<std::string> places, classes;
+  for (const int k : members) {
+    places.insert(at(k).place.location);
+    classes.insert(at(k).place.effect_class);
+    places.insert("theta" + std::to_string(at(k).request.joint));
+  }
+  Eigen::VectorXd excused(static_cast<Eigen::Index>(space_->all().size()));
+  for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
+    const Hypothesis& h = at(k);
+    const bool same = h.named ? places.count(h.place.location) > 0 ||
+                                    classes.count(h.place.effect_class) > 0
+                              : places.count(h.slot) > 0;
+    excused[k] = removed * (same ? kImmaterialSamePlace : kImmaterial);
+  }
+  return excused;
+}
+
+double SetTester::LinesLeft(const BlockModel& model) const {
+  double least = 1;
+  for (const int k : lines_) {
+    const BlockScore score = tests_->Score(model, k);
+    if (score.k > 0) least = std::min(least, ScanProbability(score.p, scan_width_));
+  }
+  return least;
+}
+
+TestedSet SetTester::Try(const std::vector<int>& members, bool rescan) const {
+  const BlockModel model = Model(members);
+  const Eigen::VectorXd excused = Excused(model, members);
+  TestedSet set;
+  set.members = members;
+  if (!tests_->MayFit(model, order_, kHopeless, excused)) return set;
+  const double p_lines = LinesLeft(model);
+  if (p_lines <= options_.false_alarm / 2) return set;
+  set.p = Combine(tests_->Test(model, options_.false_alarm, excused).p, p_lines);
+  // A new scan costs much; a model that leaves no known line hardly leaves another.
+  if (rescan && set.p > options_.false_alarm) set.p = std::min(set.p, LeastScan(Scan(members)));
+  set.kept = set.p > options_.false_alarm;
+  return set;
+}
+
+double SetTester::Evidence(const std::vector<int>& members) const {
+  const BlockModel model = Model(members);
+  const double n = options_.nu;
+  const double removed = tests_->Removed(model);
+  const double gain = options_.sigma_known
+                          ? removed
+                          : -n * std::log(std::max(1 - removed / tests_->gram().rss, 1e-12));
+  return gain - static_cast<double>(model.columns.size()) * std::log(n);
+}
+
+bool SetTester::Conflicts(int k, const std::vector<int>& members) const {
+  const EffectRequest& mine = at(k).request;
+  int lines = 0;
+  for (const int m : members) {
+    if (m == k) return true;
+    const EffectRequest& other = at(m).request;
+    if (other.effect != mine.effect || other.joint != mine.joint) continue;
+    if (mine.effect == "joint_coupling") {
+      if (other.SameAs(mine)) return true;
+      continue;
+    }
+    if (mine.effect != "gear_harmonic") return true;
+    ++lines;
+    const double apart = std::abs(other.setting("order", 1) - mine.setting("order", 1));
+    if (apart < kSameOrder || lines >= kMostLines) return true;
+  }
+  return false;
+}
+
+}  // namespace dhcal

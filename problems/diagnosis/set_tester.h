@@ -1,0 +1,68 @@
+// Tests sets of named hypotheses against everything else that the space holds.
+#ifndef DHCAL_PROBLEMS_DIAGNOSIS_SET_TESTER_H_
+#define DHCAL_PROBLEMS_DIAGNOSIS_SET_TESTER_H_
+
+#include <memory>
+#include <vector>
+
+#include "core/analysis/block_tests.h"
+#include "problems/diagnosis/hypotheses.h"
+#include "problems/diagnosis/search.h"
+#include "problems/diagnosis/spectrum.h"
+
+namespace dhcal {
+
+/// Probability that the smaller of two independent ones is this small.
+double Combine(double p, double q);
+
+class SetTester {
+ public:
+  /// Both must outlive the tester.
+  SetTester(const SearchOptions& options, HypothesisSpace* space);
+
+  /// Takes up hypotheses that were added to the space.
+  void Rebuild();
+
+  const BlockTests& tests() const { return *tests_; }
+  /// Hypotheses that may be named.
+  const std::vector<int>& names() const { return names_; }
+  const Hypothesis& at(int idx) const { return space_->all()[static_cast<std::size_t>(idx)]; }
+  BlockModel Model(const std::vector<int>& members) const;
+
+  /// Tests a set; a hopeless one at small cost. `rescan`: a set that passes is also held against a
+  /// new scan of the orders.
+  TestedSet Try(const std::vector<int>& members, bool rescan) const;
+  /// Evidence of a set: squares removed against the price of its columns (BIC; larger is better).
+  double Evidence(const std::vector<int>& members) const;
+  /// True when a hypothesis stands for the same as a member: same effect and place with another
+  /// setting, but for several gear orders or driving joints.
+  bool Conflicts(int hypothesis, const std::vector<int>& members) const;
+
+  /// Highest peak of each joint beside the members.
+  std::vector<SpectralPeak> Scan(const std::vector<int>& members) const;
+  static double LeastScan(const std::vector<SpectralPeak>& peaks);
+  /// Significant peaks become hypotheses; true when there is one.
+  bool AddPeaks(const std::vector<SpectralPeak>& peaks);
+  /// Families with an instant or a time constant that the rows ask for most get the best one.
+  void AddRefined(const std::vector<int>& members);
+
+ private:
+  bool MayBeNamed(const std::string& effect) const;
+  Eigen::MatrixXd BasisOf(const std::vector<int>& members) const;
+  /// What a model may leave of each block without being rejected.
+  Eigen::VectorXd Excused(const BlockModel& model, const std::vector<int>& members) const;
+  /// Probability of the highest of the spectrum's known lines beside a model, for the whole scan.
+  double LinesLeft(const BlockModel& model) const;
+
+  const SearchOptions& options_;
+  HypothesisSpace* space_;
+  std::unique_ptr<BlockTests> tests_;
+  std::vector<int> names_;
+  std::vector<int> order_;  // blocks, highest score beside the geometry first
+  std::vector<int> lines_;  // hypotheses that a scan found
+  double scan_width_;
+};
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_DIAGNOSIS_SET_TESTER_H_
