@@ -127,6 +127,24 @@ void AddParameters(const std::vector<int>& columns,
   }
 }
 
+/// Effects that make one finding: each alone, but all lines of one joint's gear together.
+std::vector<std::vector<std::size_t>> Groups(const std::vector<EffectRequest>& effects) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+      const EffectRequest& first = effects[group.front()];
+      return first.effect == "gear_harmonic" && effects[i].effect == first.effect &&
+             effects[i].joint == first.joint;
+    });
+    if (same == groups.end()) {
+      groups.push_back({i});
+    } else {
+      same->push_back(i);
+    }
+  }
+  return groups;
+}
+
 void JudgeOnTestRows(const CompleteFit& before, const CompleteFit& after, DiagnosisResult* d) {
   d->validation_method = "set column";
   d->rms_test_before =
@@ -158,30 +176,37 @@ std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,
   const std::vector<std::vector<int>> columns = ColumnsOf(effects, after.calibration);
   const PhysicsContext context = after.calibration.Context();
   std::vector<Finding> findings;
-  for (std::size_t i = 0; i < effects.size(); ++i) {
-    const Effect& effect = *FindEffect(effects[i].effect);
+  for (const std::vector<std::size_t>& group : Groups(effects)) {
     Finding finding;
-    finding.effect = effects[i];
-    const EffectPlace place = effect.Place(context, effects[i]);
+    std::vector<int> own;
+    for (const std::size_t i : group) {
+      const Effect& effect = *FindEffect(effects[i].effect);
+      finding.effect = effects[i];
+      std::vector<EffectValue> values;
+      AddParameters(columns[i], after, estimates, &finding, &values);
+      finding.sentence +=
+          (finding.sentence.empty() ? "" : "; ") + effect.Sentence(effects[i], values);
+      own.insert(own.end(), columns[i].begin(), columns[i].end());
+    }
+    finding.effect = effects[group.front()];
+    const EffectPlace place =
+        FindEffect(finding.effect.effect)->Place(context, finding.effect);
     finding.effect_class = place.effect_class;
     finding.location = place.location;
     finding.driver = place.driver;
-    std::vector<EffectValue> values;
-    AddParameters(columns[i], after, estimates, &finding, &values);
-    finding.sentence = effect.Sentence(effects[i], values);
-    const VectorXd fitted_without = FittedResiduals(after, columns[i]);
-    const VectorXd left_out_without = LeftOutResiduals(after, folds, columns[i]);
+    const VectorXd fitted_without = FittedResiduals(after, own);
+    const VectorXd left_out_without = LeftOutResiduals(after, folds, own);
     finding.rms_train_before = Rms(fitted_without, sigma);
     finding.rms_train_after = d->rms_train_after;
     finding.rms_test_before = Rms(left_out_without, sigma);
     finding.rms_test_after = Rms(left_out, sigma);
-    if (has_test && effects.size() == 1) {
+    if (has_test && own.size() == after.calibration.effect_columns.size()) {
       finding.rms_test_before = d->rms_test_before;
       finding.rms_test_after = d->rms_test_after;
     }
     LogPredictive(left_out_without, left_out, estimates.sigma_scale, &finding);
     const auto n = static_cast<double>(fitted.size());
-    const auto k = static_cast<double>(columns[i].size());
+    const auto k = static_cast<double>(own.size());
     finding.delta_bic =
         n * std::log(fitted_without.squaredNorm() / fitted.squaredNorm()) - k * std::log(n);
     const double gain = fitted_without.squaredNorm() - fitted.squaredNorm();

@@ -190,11 +190,12 @@ Unexplained Curve(const HypothesisSpace& space,
       X.col(k) = space.rows().Column({{slot, hats.col(k)}});
     }
     X = ProjectOff(basis, ProjectOff(space.U(), X));
+    // The hats' common part is the geometry's; the smallest curve that fits leaves it out.
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-    solver.setThreshold(1e-4);
-    solver.compute(X);
-    const Eigen::VectorXd amount = solver.solve(y);
+    solver.setThreshold(1e-6);
+    solver.compute(X.transpose() * X);
     const Eigen::MatrixXd inverse = solver.pseudoInverse();
+    const Eigen::VectorXd amount = inverse * (X.transpose() * y);
     const double removed = (X * amount).squaredNorm();
     if (removed <= best) continue;
     best = removed;
@@ -204,7 +205,7 @@ Unexplained Curve(const HypothesisSpace& space,
     for (Eigen::Index k = 0; k < amount.size(); ++k) {
       rest.curve.push_back({knots[static_cast<std::size_t>(k)],
                             amount[k],
-                            sigma_scale * inverse.row(k).norm()});
+                            sigma_scale * std::sqrt(std::max(inverse(k, k), 0.0))});
     }
   }
   return rest;
@@ -317,7 +318,8 @@ void Conclude(const CompleteFit& geometry,
           : std::sqrt((space.y().squaredNorm() - outcome.removed_by_all) / d->misfit.dof);
   FillMap(space, outcome, d);
   FillHypotheses(space, outcome, d);
-  const std::size_t names_before = outcome.accepted.size();
+  const auto names_before = static_cast<std::size_t>(
+      std::count_if(d->findings.begin(), d->findings.end(), IsPhysics));
   Withdraw(d);
   if (outcome.complete) AddAlternatives(geometry, space, outcome, d);
   Decide(outcome, names_before, d);
