@@ -61,9 +61,10 @@ CachePlan PlanCache(const Calibration& c) {
       plan.scopes.push_back(scope);
     }
     cache_idx = static_cast<int>(plan.rows.size());
-    plan.rows.push_back({c.recording.q.row(row_idx),
-                         entry->second,
-                         EffectTerms(c, plan.scopes[static_cast<std::size_t>(entry->second)], row_idx)});
+    plan.rows.push_back(
+        {c.recording.q.row(row_idx),
+         entry->second,
+         EffectTerms(c, plan.scopes[static_cast<std::size_t>(entry->second)], row_idx)});
     plan.recording_row.push_back(row_idx);
   }
   return plan;

@@ -40,7 +40,8 @@ void Calibration::SetEffects(const std::vector<EffectRequest>& requests) {
   const PhysicsContext context = Context();
   for (const EffectRequest& request : requests) {
     for (EffectColumn& column : EffectColumns(context, request)) {
-      parameters.push_back(EffectParameter(request, column, static_cast<int>(effect_columns.size())));
+      parameters.push_back(
+          EffectParameter(request, column, static_cast<int>(effect_columns.size())));
       effect_columns.push_back(std::move(column));
     }
   }

@@ -31,7 +31,7 @@ struct Calibration {
   DhChain chain;
   std::vector<Parameter> parameters;  // unknown; state k corrects parameters[k]
   Readings readings;
-  Frames frames;  // where base and tool start (nominal, or aligned)
+  Frames frames;                             // where base and tool start (nominal, or aligned)
   std::vector<EffectColumn> effect_columns;  // of the parameters of group effect
 
   /// Circumstances of the rows with the base where `frames` has it.

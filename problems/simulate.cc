@@ -114,9 +114,8 @@ std::optional<Eigen::MatrixXd> EffectSlots(const ProblemSpec& spec,
     }
     for (const auto& [name, value] : values) {
       refuse(request,
-             fmt::format("it has no parameter '{}'; its parameters are {}",
-                         name,
-                         fmt::join(names, ", ")));
+             fmt::format(
+                 "it has no parameter '{}'; its parameters are {}", name, fmt::join(names, ", ")));
     }
   }
   if (!ok) return std::nullopt;
@@ -237,7 +236,8 @@ std::optional<Recording> SimulateRecording(const ProblemSpec& spec, Diagnostics*
   std::vector<Eigen::Isometry3d> X_WQ;
   for (int row_idx = 0; row_idx < recording.num_rows(); ++row_idx) {
     const auto target = static_cast<std::size_t>(recording.target(row_idx));
-    const EndFrames ends{robot.X_WB, robot.targets.empty() ? robot.X_TQ : robot.targets[target].X_TQ};
+    const EndFrames ends{robot.X_WB,
+                         robot.targets.empty() ? robot.X_TQ : robot.targets[target].X_TQ};
     X_WQ.push_back(chain.Pose<double>(
         recording.q.row(row_idx).transpose(), errors + physics->col(row_idx), ends));
   }

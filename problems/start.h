@@ -29,8 +29,8 @@ Eigen::Matrix3d MeanRotation(const std::vector<Eigen::Matrix3d>& rotations);
 /// have none: they start from the file's base.
 void AlignStart(Calibration* calibration);
 
-/// Fits base and tool alone and makes the outcome the start of the full fit (not where a prior holds
-/// them to the file's values). What they leave; nothing when none of them is estimated.
+/// Fits base and tool alone and makes the outcome the start of the full fit (not where a prior
+/// holds them to the file's values). What they leave; nothing when none of them is estimated.
 std::optional<ResidualStatistics> FitFramesAlone(Calibration* calibration,
                                                  const Progress& progress);
 

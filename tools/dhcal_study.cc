@@ -1,6 +1,7 @@
 // Measures the diagnosis: false alarms, naming, intervals, over many draws with fixed seeds.
 //
-//   dhcal_study [group] [draws]      groups: null single several outside masses all (default all, 100)
+//   dhcal_study [group] [draws]      groups: null single several outside masses all (default all,
+//   100)
 //
 // Prints one line per scenario and, per group, the figures that README quotes. With the group null
 // the alarm rates are at 1 % and 5 %; the others run at false_alarm = 0.05.
@@ -29,12 +30,12 @@ struct Score {
   double p_geometry = 1;
   DiagnosisVerdict verdict = DiagnosisVerdict::kConsistent;
   bool detected = false;
-  bool truth_kept = false;   // the true set is in the confidence set
-  bool named = false;        // alone, or with its own class only
-  bool joints_right = false; // all true places found
-  bool extra = false;        // a finding that is not there
-  bool singleton = false;    // exactly one physical finding without alternatives
-  bool slot_right = false;   // outside the library: the rest was put at the right slot
+  bool truth_kept = false;    // the true set is in the confidence set
+  bool named = false;         // alone, or with its own class only
+  bool joints_right = false;  // all true places found
+  bool extra = false;         // a finding that is not there
+  bool singleton = false;     // exactly one physical finding without alternatives
+  bool slot_right = false;    // outside the library: the rest was put at the right slot
   int intervals = 0, covered = 0;
   double seconds = 0;
   std::string findings;
@@ -53,9 +54,8 @@ bool SameEffect(const EffectRequest& a, const EffectRequest& b) {
 }
 
 bool Holds(const std::vector<EffectRequest>& set, const EffectRequest& request) {
-  return std::any_of(set.begin(), set.end(), [&](const EffectRequest& e) {
-    return SameEffect(e, request);
-  });
+  return std::any_of(
+      set.begin(), set.end(), [&](const EffectRequest& e) { return SameEffect(e, request); });
 }
 
 void ScoreIntervals(const Scenario& scenario, const DiagnosisResult& d, Score* score) {
@@ -107,8 +107,8 @@ Score Judge(const Scenario& scenario, const Draw& draw, const DiagnosisResult& d
       bool in_class = listed || ClassOf(context, finding->effect) == own;
       for (const Confusable& other : finding->confusable_with) {
         listed = listed || SameEffect(other.effect, truth);
-        in_class = in_class && (SameEffect(other.effect, truth) ||
-                                ClassOf(context, other.effect) == own);
+        in_class =
+            in_class && (SameEffect(other.effect, truth) || ClassOf(context, other.effect) == own);
       }
       matches = matches || (listed && in_class);
     }
@@ -117,8 +117,7 @@ Score Judge(const Scenario& scenario, const Draw& draw, const DiagnosisResult& d
   }
   score.extra = score.extra || physics.size() > scenario.truth.size();
   score.named = names_right;
-  score.joints_right =
-      std::includes(found.begin(), found.end(), places.begin(), places.end());
+  score.joints_right = std::includes(found.begin(), found.end(), places.begin(), places.end());
   score.singleton = physics.size() == 1 && physics[0]->confusable_with.empty() &&
                     d.verdict == DiagnosisVerdict::kExplained;
   score.slot_right = d.unexplained && d.unexplained->slot == scenario.outside_slot;
@@ -147,7 +146,8 @@ std::vector<Score> RunScenario(const Scenario& scenario, int draws, int threads)
 template <typename Predicate>
 double Share(const std::vector<Score>& scores, Predicate predicate) {
   const auto count = std::count_if(scores.begin(), scores.end(), predicate);
-  return 100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(scores.size(), 1));
+  return 100.0 * static_cast<double>(count) /
+         static_cast<double>(std::max<std::size_t>(scores.size(), 1));
 }
 
 std::string Line(const Scenario& scenario, const std::vector<Score>& s) {
@@ -162,14 +162,16 @@ std::string Line(const Scenario& scenario, const std::vector<Score>& s) {
   }
   if (scenario.group == "outside") {
     return fmt::format(
-        "{:<62} found {:5.1f}  unexplained {:5.1f}  at its slot {:5.1f}  single wrong name {:5.1f} %  "
+        "{:<62} found {:5.1f}  unexplained {:5.1f}  at its slot {:5.1f}  single wrong name {:5.1f} "
+        "%  "
         "{:.2f} s",
         scenario.name,
         Share(s, [](const Score& x) { return x.detected; }),
         Share(s, [](const Score& x) { return x.verdict == DiagnosisVerdict::kUnexplained; }),
-        Share(s, [](const Score& x) {
-          return x.verdict == DiagnosisVerdict::kUnexplained && x.slot_right;
-        }),
+        Share(s,
+              [](const Score& x) {
+                return x.verdict == DiagnosisVerdict::kUnexplained && x.slot_right;
+              }),
         Share(s, [](const Score& x) { return x.singleton; }),
         seconds);
   }
@@ -179,7 +181,8 @@ std::string Line(const Scenario& scenario, const std::vector<Score>& s) {
     covered += score.covered;
   }
   return fmt::format(
-      "{:<62} found {:5.1f}  kept {:5.1f}  named {:5.1f}  place {:5.1f}  extra {:5.1f}  covers {:5.1f} % "
+      "{:<62} found {:5.1f}  kept {:5.1f}  named {:5.1f}  place {:5.1f}  extra {:5.1f}  covers "
+      "{:5.1f} % "
       "of {}  {:.2f} s",
       scenario.name,
       Share(s, [](const Score& x) { return x.detected; }),
@@ -196,8 +199,8 @@ int Run(const std::string& group, int draws, bool verbose) {
   const int threads = std::max(1u, std::thread::hardware_concurrency());
   std::vector<Score> detectable;
   for (const Scenario& scenario : AllScenarios()) {
-    const bool wanted = group == "all" || scenario.group == group ||
-                        scenario.name.find(group) != std::string::npos;
+    const bool wanted =
+        group == "all" || scenario.group == group || scenario.name.find(group) != std::string::npos;
     if (!wanted) continue;
     const std::vector<Score> scores = RunScenario(scenario, draws, threads);
     std::cout << Line(scenario, scores) << std::endl;

@@ -89,8 +89,8 @@ void BlockTests::Simulate(int draws, std::uint64_t seed) {
     // Columns of unit length; the small addition keeps nearly equal columns from failing.
     constexpr double kAddition = 1e-8;
     const VectorXd length = gram_.S.diagonal().cwiseMax(1e-300).cwiseSqrt();
-    MatrixXd scaled = length.cwiseInverse().asDiagonal() * gram_.S *
-                      length.cwiseInverse().asDiagonal();
+    MatrixXd scaled =
+        length.cwiseInverse().asDiagonal() * gram_.S * length.cwiseInverse().asDiagonal();
     scaled.diagonal().array() += kAddition;
     const Eigen::LLT<MatrixXd> llt(scaled);
     CHECK(llt.info() == Eigen::Success);
@@ -207,9 +207,7 @@ BlockScore BlockTests::Score(const BlockModel& model, int block) const {
   return ScoreOf(Condition(model), block);
 }
 
-ModelTest BlockTests::Test(const BlockModel& model,
-                           double level,
-                           const VectorXd& excused) const {
+ModelTest BlockTests::Test(const BlockModel& model, double level, const VectorXd& excused) const {
   const Conditioned c = Condition(model);
   ModelTest test;
   test.rss = c.rss;
@@ -276,7 +274,8 @@ std::vector<double> BlockTests::NullMaxima(const BlockModel& model,
       const MatrixXd coefficients =
           model.soft_sigma.head(num_soft).asDiagonal() * draws_soft_.topRows(num_soft);
       const MatrixXd S_soft = gram_.S(Eigen::all, soft);
-      rss += 2 * (draws_z_(soft, Eigen::all).cwiseProduct(coefficients)).colwise().sum().transpose();
+      rss +=
+          2 * (draws_z_(soft, Eigen::all).cwiseProduct(coefficients)).colwise().sum().transpose();
       rss += (coefficients.cwiseProduct(S_soft(soft, Eigen::all) * coefficients))
                  .colwise()
                  .sum()
@@ -327,11 +326,10 @@ double BlockTests::Overlap(int block, int other, const BlockModel& model) const 
   const MatrixXd a = Factor(c, block), b = Factor(c, other);
   if (a.cols() == 0 || b.cols() == 0) return 0;
   const MatrixXd cosines = a.transpose() * ConditionalS(c, block, other) * b;
-  return std::sqrt(
-      std::max(0.0,
-               Eigen::SelfAdjointEigenSolver<MatrixXd>(cosines * cosines.transpose())
-                   .eigenvalues()
-                   .maxCoeff()));
+  return std::sqrt(std::max(0.0,
+                            Eigen::SelfAdjointEigenSolver<MatrixXd>(cosines * cosines.transpose())
+                                .eigenvalues()
+                                .maxCoeff()));
 }
 
 }  // namespace dhcal

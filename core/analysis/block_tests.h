@@ -49,10 +49,10 @@ struct BlockScore {
 };
 
 struct ModelTest {
-  double T = 0;       // largest score
-  int worst = -1;     // block that has it; -1 = the lack of fit against the known sigma
-  double p = 1;       // Monte-Carlo probability of T or more under the model
-  double rss = 0;     // left
+  double T = 0;    // largest score
+  int worst = -1;  // block that has it; -1 = the lack of fit against the known sigma
+  double p = 1;    // Monte-Carlo probability of T or more under the model
+  double rss = 0;  // left
   double nu = 0;
 };
 
@@ -74,11 +74,9 @@ class BlockTests {
   BlockScore Score(const BlockModel& model, int block) const;
 
   /// Tests the model at a level. The law of the maximum hardly depends on the model, so draws under
-  /// the model itself are made only where the geometry's draws do not decide. Blocks of `excused` (index -> largest Q that is immaterial) below their limit
-  /// do not count.
-  ModelTest Test(const BlockModel& model,
-                 double level,
-                 const Eigen::VectorXd& excused = {}) const;
+  /// the model itself are made only where the geometry's draws do not decide. Blocks of `excused`
+  /// (index -> largest Q that is immaterial) below their limit do not count.
+  ModelTest Test(const BlockModel& model, double level, const Eigen::VectorXd& excused = {}) const;
 
   /// False when some block's score (in the order given) already exceeds `limit`.
   bool MayFit(const BlockModel& model,

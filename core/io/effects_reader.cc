@@ -14,10 +14,9 @@ namespace dhcal {
 
 namespace {
 
-const std::vector<std::pair<std::string, DiagnosisRun>> kRuns = {
-    {"auto", DiagnosisRun::kAuto},
-    {"always", DiagnosisRun::kAlways},
-    {"never", DiagnosisRun::kNever}};
+const std::vector<std::pair<std::string, DiagnosisRun>> kRuns = {{"auto", DiagnosisRun::kAuto},
+                                                                 {"always", DiagnosisRun::kAlways},
+                                                                 {"never", DiagnosisRun::kNever}};
 
 /// Name of an effect of the library; an error names the nearest.
 const Effect* EffectNamed(const YamlValue& value) {
@@ -34,8 +33,7 @@ const Effect* EffectNamed(const YamlValue& value) {
 
 /// `values: {compliance: 3e-6}`, SI; which parameters there are may depend on the recording.
 void ReadValues(YamlMap* map, bool required, EffectRequest* request) {
-  const std::optional<YamlValue> values =
-      required ? map->Require("values") : map->Find("values");
+  const std::optional<YamlValue> values = required ? map->Require("values") : map->Find("values");
   if (!values) return;
   YamlMap entries(*values);
   for (const auto& [parameter, value] : entries.AllEntries()) {

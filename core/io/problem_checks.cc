@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "core/base/text.h"
-#include "core/physics/registry.h"
 #include "core/io/parameter_names.h"
+#include "core/physics/registry.h"
 
 namespace dhcal {
 

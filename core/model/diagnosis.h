@@ -64,7 +64,7 @@ struct Confusable {
 };
 
 struct SeparatingPose {
-  Eigen::VectorXd q;      // [rad] or [m]
+  Eigen::VectorXd q;          // [rad] or [m]
   double payload = kUnknown;  // [kg] where it matters
 };
 
@@ -77,7 +77,7 @@ struct Finding {
   double p_value = kUnknown;
   double rms_train_before = kUnknown, rms_train_after = kUnknown;  // [m]
   double rms_test_before = kUnknown, rms_test_after = kUnknown;    // [m]
-  double delta_bic = kUnknown;  // > 0 speaks for the effect
+  double delta_bic = kUnknown;                                     // > 0 speaks for the effect
   double delta_log_predictive = kUnknown;
   double log_predictive_standard_error = kUnknown;
   std::vector<Confusable> confusable_with;
@@ -102,7 +102,7 @@ struct CurvePoint {
 struct Unexplained {
   double fraction = kUnknown;  // of the misfit above the noise
   std::string slot, driver;
-  std::string unit;  // of amount
+  std::string unit;       // of amount
   double rms = kUnknown;  // [m]
   std::vector<CurvePoint> curve;
 };

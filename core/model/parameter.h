@@ -19,8 +19,8 @@ enum class Unit { kRadian, kMetre, kOther };
 const char* ToString(Unit unit);
 
 /// One unknown. A geometric freedom is a constant added to one slot of the chain
-/// (core/kinematics/slots.h), for all rows or only for the rows of one run or target. A parameter of
-/// a physical effect (core/physics/effect.h) adds to slots by its weights of each row.
+/// (core/kinematics/slots.h), for all rows or only for the rows of one run or target. A parameter
+/// of a physical effect (core/physics/effect.h) adds to slots by its weights of each row.
 struct Parameter {
   std::string name;  // "theta1", "base_rx", "tool_z.A" (target or run after the dot)
   ParameterGroup group = ParameterGroup::kTheta;

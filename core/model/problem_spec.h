@@ -74,10 +74,10 @@ struct SimulationSpec {
   MotionSpec motion;
   // Errors added to the nominal rows, length n or empty: theta, alpha, a, d, beta.
   Eigen::VectorXd theta, alpha, a, d, beta;
-  Eigen::VectorXd base, tool;  // 6 or empty: x y z [m], rx ry rz [rad]
+  Eigen::VectorXd base, tool;          // 6 or empty: x y z [m], rx ry rz [rad]
   std::vector<EffectRequest> effects;  // with values
-  double noise = 0;            // [m]
-  double noise_rotation = 0;   // [rad] for kind pose
+  double noise = 0;                    // [m]
+  double noise_rotation = 0;           // [rad] for kind pose
   std::uint64_t seed = 1;
 };
 

@@ -8,11 +8,8 @@
 
 namespace dhcal {
 
-EffectColumn SlotColumn(std::string parameter,
-                        std::string unit,
-                        double typical,
-                        int slot,
-                        Eigen::VectorXd weight) {
+EffectColumn SlotColumn(
+    std::string parameter, std::string unit, double typical, int slot, Eigen::VectorXd weight) {
   EffectColumn column;
   column.parameter = std::move(parameter);
   column.unit = std::move(unit);

@@ -11,11 +11,8 @@
 namespace dhcal {
 
 /// A parameter that acts on one slot.
-EffectColumn SlotColumn(std::string parameter,
-                        std::string unit,
-                        double typical,
-                        int slot,
-                        Eigen::VectorXd weight);
+EffectColumn SlotColumn(
+    std::string parameter, std::string unit, double typical, int slot, Eigen::VectorXd weight);
 
 /// A parameter that twists all that lies beyond a place (as base slots, core/NOTATION.md).
 EffectColumn TwistColumn(const PhysicsContext& context,

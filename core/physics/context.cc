@@ -13,7 +13,8 @@ PhysicsContext::PhysicsContext(const RobotModel& robot,
                                std::vector<Eigen::Isometry3d> X_WB)
     : robot_(robot), recording_(recording), chain_(robot), X_WB_(std::move(X_WB)) {
   CHECK(!X_WB_.empty());
-  frames_.reserve(static_cast<std::size_t>(num_rows()) * static_cast<std::size_t>(num_joints() + 1));
+  frames_.reserve(static_cast<std::size_t>(num_rows()) *
+                  static_cast<std::size_t>(num_joints() + 1));
   for (int k = 0; k < num_rows(); ++k) {
     const auto frames = chain_.LinkFrames(recording_.q.row(k).transpose());
     frames_.insert(frames_.end(), frames.begin(), frames.end());
@@ -59,7 +60,8 @@ void PhysicsContext::FillDirections() {
   for (int k = 0; k < num_rows(); ++k) {
     int& before = last[static_cast<std::size_t>(recording_.run(k))];
     for (int j = 0; j < num_joints(); ++j) {
-      const bool given = recording_.direction.rows() > 0 && std::isfinite(recording_.direction(k, j));
+      const bool given =
+          recording_.direction.rows() > 0 && std::isfinite(recording_.direction(k, j));
       if (given) {
         direction_(k, j) = sign(j) * recording_.direction(k, j);
       } else if (before >= 0) {

@@ -29,22 +29,22 @@ struct SlotWeights {
 
 /// One parameter of an effect and all that it moves.
 struct EffectColumn {
-  std::string parameter;   // "compliance"
-  std::string unit;        // SI, "rad/(N m)"
-  double typical = 1;      // size at which one would look for it, SI
-  bool positive = false;   // a negative value is an alarm, not physics
+  std::string parameter;  // "compliance"
+  std::string unit;       // SI, "rad/(N m)"
+  double typical = 1;     // size at which one would look for it, SI
+  bool positive = false;  // a negative value is an alarm, not physics
   std::vector<SlotWeights> slots;
 };
 
 /// What the library says about an effect, the same for all robots.
 struct EffectDescription {
-  std::string name;        // "joint_compliance"
-  std::string summary;     // one sentence in plain words
-  std::string formula;     // "d theta_j = c tau_j"
-  std::string parameters;  // "compliance [rad/(N m)]"
+  std::string name;                                           // "joint_compliance"
+  std::string summary;                                        // one sentence in plain words
+  std::string formula;                                        // "d theta_j = c tau_j"
+  std::string parameters;                                     // "compliance [rad/(N m)]"
   std::vector<std::pair<std::string, std::string>> settings;  // {"order", "N, default 1"}
-  std::string needs;       // columns or keys that it needs; empty = joint angles suffice
-  std::string typical;     // size, with its source
+  std::string needs;    // columns or keys that it needs; empty = joint angles suffice
+  std::string typical;  // size, with its source
   bool has_joint = true;
 };
 
@@ -66,7 +66,7 @@ struct EffectValue {
 /// A number that can be checked by hand, for the conformance test and as documentation.
 struct WorkedExample {
   EffectRequest request;  // with values
-  int row = 0;            // of ExampleRecording() (core/physics/worked_example.h)
+  int row = 0;            // of WorkedExampleRecording() (core/physics/worked_example.h)
   std::string slot;       // "theta2"
   double expected = 0;    // [rad] or [m] added to that slot
 };

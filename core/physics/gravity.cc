@@ -81,8 +81,8 @@ std::vector<MassCase> MinimalCases(const PhysicsContext& context, int joint) {
   anywhere.q.resize(kBasisPoses, context.num_joints());
   for (Eigen::Index k = 0; k < anywhere.q.rows(); ++k) {
     for (Eigen::Index j = 0; j < anywhere.q.cols(); ++j) {
-      anywhere.q(k, j) = context.revolute(static_cast<int>(j)) ? rng.Uniform(-kPi, kPi)
-                                                               : rng.Uniform(-0.5, 0.5);
+      anywhere.q(k, j) =
+          context.revolute(static_cast<int>(j)) ? rng.Uniform(-kPi, kPi) : rng.Uniform(-0.5, 0.5);
     }
   }
   const PhysicsContext poses(context.robot(), anywhere, {Eigen::Isometry3d::Identity()});
@@ -111,26 +111,21 @@ Load GravityLoad(const PhysicsContext& context,
   const int n = context.num_joints();
   Load load;
   for (int body = first_body; body <= n; ++body) {
-    const double scale =
-        body == n && mass_case.payload_of_row ? context.payload(row_idx) : 1.0;
+    const double scale = body == n && mass_case.payload_of_row ? context.payload(row_idx) : 1.0;
     const double mass = scale * mass_case.mass[body];
     const Eigen::Vector3d moment = scale * mass_case.moment.col(body);
     if (mass == 0 && moment.isZero(0)) continue;
     const Eigen::Isometry3d& X_BL = context.X_BL(row_idx, body == n ? n - 1 : body);
     load.force += mass * g;
-    load.moment +=
-        (mass * (X_BL.translation() - point) + X_BL.linear() * moment).cross(g);
+    load.moment += (mass * (X_BL.translation() - point) + X_BL.linear() * moment).cross(g);
   }
   return load;
 }
 
-Eigen::VectorXd GravityTorque(const PhysicsContext& context,
-                              const MassCase& mass_case,
-                              int joint) {
+Eigen::VectorXd GravityTorque(const PhysicsContext& context, const MassCase& mass_case, int joint) {
   Eigen::VectorXd torque(context.num_rows());
   for (int k = 0; k < context.num_rows(); ++k) {
-    const Load load =
-        GravityLoad(context, mass_case, k, joint, context.axis_point(k, joint));
+    const Load load = GravityLoad(context, mass_case, k, joint, context.axis_point(k, joint));
     const Eigen::Vector3d axis = context.axis(k, joint);
     torque[k] = axis.dot(context.revolute(joint) ? load.moment : load.force);
   }

@@ -19,11 +19,11 @@ namespace dhcal {
 /// A distribution of mass. Body i < n is link i in its frame; body n is what is carried, in the
 /// flange's frame.
 struct MassCase {
-  std::string name;         // "" with known masses; "link3_x": the moment of link 3 along its x
-  std::string unit;         // "" or "kg m" or "kg": of the unknown that the case stands for
-  double typical = 1;       // of that unknown
-  Eigen::VectorXd mass;     // [kg], n + 1
-  Eigen::Matrix3Xd moment;  // [kg m], 3 x (n + 1): mass x centre of mass
+  std::string name;             // "" with known masses; "link3_x": the moment of link 3 along its x
+  std::string unit;             // "" or "kg m" or "kg": of the unknown that the case stands for
+  double typical = 1;           // of that unknown
+  Eigen::VectorXd mass;         // [kg], n + 1
+  Eigen::Matrix3Xd moment;      // [kg m], 3 x (n + 1): mass x centre of mass
   bool payload_of_row = false;  // body n is scaled from 1 kg to the row's payload
 };
 
@@ -39,8 +39,8 @@ Load GravityLoad(const PhysicsContext& context,
                  int first_body,
                  const Eigen::Vector3d& point);
 
-/// Gravity's torque about a joint's axis [N m] (force along it [N] for a prismatic joint), all rows.
-/// Positive turns the joint in DH's positive sense: a compliant joint yields along it.
+/// Gravity's torque about a joint's axis [N m] (force along it [N] for a prismatic joint), all
+/// rows. Positive turns the joint in DH's positive sense: a compliant joint yields along it.
 Eigen::VectorXd GravityTorque(const PhysicsContext& context, const MassCase& mass_case, int joint);
 
 /// The robot's own case where `links` is given, else the minimal cases of the joint and, where the

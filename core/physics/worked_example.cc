@@ -4,7 +4,7 @@
 
 namespace dhcal {
 
-RobotModel ExampleRobot() {
+RobotModel WorkedExampleRobot() {
   RobotModel robot;
   robot.name = "example arm";
   const double d[] = {0.675, 0, 0, 0.6, 0, 0.14};
@@ -24,7 +24,7 @@ RobotModel ExampleRobot() {
   return robot;
 }
 
-Recording ExampleRecording() {
+Recording WorkedExampleRecording() {
   Recording recording;
   const Eigen::Matrix<double, 1, 6> q =
       (Eigen::Matrix<double, 1, 6>() << 10, 20, 30, 40, 50, 60).finished() * kDegree;

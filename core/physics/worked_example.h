@@ -3,7 +3,8 @@
 // A KUKA KR 15-like arm (standard DH, six revolute joints), each link 10 kg with its centre of mass
 // at its frame's origin, nothing carried at row 0.
 //   row 0   all joints 0, direction +1, t = 0 s, 20 degC
-//   row 1   q = (10, 20, 30, 40, 50, 60) deg, direction +1, t = 3600 s, 30 degC, 0.5 rad/s, 100 N m,
+//   row 1   q = (10, 20, 30, 40, 50, 60) deg, direction +1, t = 3600 s, 30 degC, 0.5 rad/s, 100 N
+//   m,
 //           5 kg carried
 //   row 2   q = -row 1, direction -1, t = 7200 s, 20 degC, -0.5 rad/s, -100 N m, nothing carried
 #ifndef DHCAL_CORE_PHYSICS_WORKED_EXAMPLE_H_
@@ -14,8 +15,8 @@
 
 namespace dhcal {
 
-RobotModel ExampleRobot();
-Recording ExampleRecording();
+RobotModel WorkedExampleRobot();
+Recording WorkedExampleRecording();
 
 }  // namespace dhcal
 

@@ -38,11 +38,13 @@ std::string MisfitWords(const DiagnosisResult& d) {
   const std::string noise =
       m.noise_known
           ? fmt::format("known noise of {}", WithMillimetres(m.noise_sigma))
-          : fmt::format("noise not given (RMS with the geometry's freedoms counted {}), so only the "
-                        "pattern of the residuals speaks, not their size",
-                        WithMillimetres(m.noise_sigma));
+          : fmt::format(
+                "noise not given (RMS with the geometry's freedoms counted {}), so only the "
+                "pattern of the residuals speaks, not their size",
+                WithMillimetres(m.noise_sigma));
   std::string text = fmt::format(
-      "Complete geometry leaves {} RMS per coordinate over {} rows; {}. Probability that noise alone "
+      "Complete geometry leaves {} RMS per coordinate over {} rows; {}. Probability that noise "
+      "alone "
       "looks like this: {} (alarm below {:g}).",
       WithMillimetres(m.rms),
       m.rows,
@@ -85,12 +87,13 @@ std::string FindingWords(std::size_t number, const Finding& f) {
     std::vector<std::string> names;
     for (const Confusable& other : f.confusable_with) {
       if (names.size() == kMostConfusable) break;
-      names.push_back(fmt::format("{} (likeness {:.2f})", InstanceName(other.effect), other.overlap));
+      names.push_back(
+          fmt::format("{} (likeness {:.2f})", InstanceName(other.effect), other.overlap));
     }
     const std::size_t more = f.confusable_with.size() - names.size();
     if (more > 0) names.push_back(AndMore(more));
-    text += Wrap("     These poses do not tell it from: ",
-                 fmt::format("{}.", fmt::join(names, "; ")));
+    text +=
+        Wrap("     These poses do not tell it from: ", fmt::format("{}.", fmt::join(names, "; ")));
   }
   if (!f.separating_advice.empty()) text += Wrap("     Measure next, ", f.separating_advice + ".");
   for (std::size_t k = 0; k < f.separating_poses.size() && k < kMostPoses; ++k) {
@@ -107,13 +110,14 @@ std::string RestWords(const DiagnosisResult& d) {
   if (!d.unexplained) return "";
   const Unexplained& rest = *d.unexplained;
   std::string text =
-      "\n" + Wrap("  Not explained: ",
-                  fmt::format("{:.0f} % of the misfit ({} RMS per coordinate); largest at {} against "
-                              "{}.",
-                              100 * rest.fraction,
-                              WithMillimetres(rest.rms),
-                              rest.slot,
-                              rest.driver));
+      "\n" +
+      Wrap("  Not explained: ",
+           fmt::format("{:.0f} % of the misfit ({} RMS per coordinate); largest at {} against "
+                       "{}.",
+                       100 * rest.fraction,
+                       WithMillimetres(rest.rms),
+                       rest.slot,
+                       rest.driver));
   if (rest.curve.empty()) return text;
   const bool angle = rest.unit == "rad";
   const bool driver_angle = rest.driver.size() > 1 && rest.driver[0] == 'q';

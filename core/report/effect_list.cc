@@ -6,10 +6,10 @@
 namespace dhcal {
 
 std::string EffectList() {
-  std::string text =
-      Wrap("",
-           "Physical effects that a problem file can switch on (parameters.effects), put into a "
-           "simulation (simulate.effects) and that the diagnosis looks for. Values are in SI units.");
+  std::string text = Wrap(
+      "",
+      "Physical effects that a problem file can switch on (parameters.effects), put into a "
+      "simulation (simulate.effects) and that the diagnosis looks for. Values are in SI units.");
   for (const Effect* const effect : AllEffects()) {
     const EffectDescription d = effect->Describe();
     text += "\n" + d.name + (d.has_joint ? "  (needs 'joint')" : "") + "\n";

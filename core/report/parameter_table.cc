@@ -133,8 +133,7 @@ std::string ParameterSection(const Result& result) {
               "Sigma and the 95 % interval are those of the correction. They hold for the "
               "parameters called identified; for the others see the next section.") +
          UnitTable(*fit, Unit::kRadian, noise_free) + UnitTable(*fit, Unit::kMetre, noise_free) +
-         EffectTable(*fit) +
-         FixedParameters(*fit);
+         EffectTable(*fit) + FixedParameters(*fit);
 }
 
 }  // namespace dhcal

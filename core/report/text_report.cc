@@ -29,9 +29,9 @@ std::string TextReport(const ProblemSpec& spec, const Result& result) {
   if (result.best() == nullptr) {
     return head + NoOutcomeSection(result) + SolverSection(result) + NotesSection(result);
   }
-  return head + OutcomeSection(result) + DiagnosisSection(result) + SolverSection(result) + ParameterSection(result) +
-         IdentifiabilitySection(result) + ComparisonSection(result) + ValidationSection(result) +
-         ResidualSection(result) + NotesSection(result);
+  return head + OutcomeSection(result) + DiagnosisSection(result) + SolverSection(result) +
+         ParameterSection(result) + IdentifiabilitySection(result) + ComparisonSection(result) +
+         ValidationSection(result) + ResidualSection(result) + NotesSection(result);
 }
 
 }  // namespace dhcal

@@ -40,11 +40,8 @@ std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
   std::vector<EffectRequest> all = spec.parameters.effects;
   all.insert(all.end(), effects.begin(), effects.end());
   c.SetEffects(all);
-  result->fit = RunFit(c,
-                       SolverMethod::kSvdGaussNewton,
-                       OptionsOf(result->spec.solver),
-                       InitialNoise(c),
-                       progress);
+  result->fit = RunFit(
+      c, SolverMethod::kSvdGaussNewton, OptionsOf(result->spec.solver), InitialNoise(c), progress);
   return result;
 }
 
@@ -59,8 +56,7 @@ Eigen::MatrixXd GeometryBasis(const CompleteFit& fit, const std::vector<Reading>
       state[static_cast<Eigen::Index>(k)] = 0;
     }
   }
-  return OrthonormalBasis(
-      DesignRows(c, state, fit.fit.noise_seen, readings).Geometry(geometry));
+  return OrthonormalBasis(DesignRows(c, state, fit.fit.noise_seen, readings).Geometry(geometry));
 }
 
 Eigen::MatrixXd ModelBasis(const CompleteFit& fit, const std::vector<Reading>& readings) {
@@ -100,11 +96,13 @@ EffectEstimates EstimateEffects(const CompleteFit& fit) {
   for (std::size_t k = 0; k < c.parameters.size(); ++k) {
     const int column = c.parameters[k].effect_column;
     if (column >= 0) {
-      estimates.value[column] = fit.state()[static_cast<Eigen::Index>(k)] + step[column] * typical[column];
+      estimates.value[column] =
+          fit.state()[static_cast<Eigen::Index>(k)] + step[column] * typical[column];
     }
   }
   const double left = (y - X * step).squaredNorm();
-  estimates.dof = std::max<double>(1, static_cast<double>(rows.num_rows() - U.cols() - num_effects));
+  estimates.dof =
+      std::max<double>(1, static_cast<double>(rows.num_rows() - U.cols() - num_effects));
   if (!SourceOfNoise(c).all_given()) estimates.sigma_scale = std::sqrt(left / estimates.dof);
   estimates.covariance = estimates.sigma_scale * estimates.sigma_scale * typical.asDiagonal() *
                          decomposition.pseudoInverse() * typical.asDiagonal();

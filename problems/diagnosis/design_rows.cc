@@ -32,8 +32,8 @@ DesignRows::DesignRows(const Calibration& c,
                        const std::vector<Reading>& readings)
     : c_(c), coordinates_(NumCoordinates(c.spec.measurement.kind)) {
   // A series has one row more than it has differences; at most each difference is a series.
-  const auto most = static_cast<Eigen::Index>(readings.size()) * coordinates_ *
-                    (IsShared(c) ? 2 : 1);
+  const auto most =
+      static_cast<Eigen::Index>(readings.size()) * coordinates_ * (IsShared(c) ? 2 : 1);
   y_.resize(most);
   now_.resize(most, c.chain.slots().size());
   if (c.spec.measurement.kind == MeasurementKind::kAdjacentPosition && !IsShared(c)) {

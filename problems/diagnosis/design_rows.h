@@ -39,8 +39,8 @@ class DesignRows {
 
   /// Whitened column of something that adds `weight` (per recording row) to slots.
   Eigen::VectorXd Column(const std::vector<SlotWeights>& slots) const;
-  /// Columns of the calibration's parameters (effects switched on included), then one offset per series and coordinate where
-  /// differences are shared.
+  /// Columns of the calibration's parameters (effects switched on included), then one offset per
+  /// series and coordinate where differences are shared.
   Eigen::MatrixXd Geometry(const std::vector<Parameter>& parameters) const;
 
   /// d reading / d slot at the reading's own pose, and (adjacent) at the one before; rows x slots.
@@ -67,8 +67,8 @@ class DesignRows {
   Eigen::VectorXd y_;
   Eigen::MatrixXd now_, before_;
   std::vector<int> now_row_, before_row_;
-  std::vector<int> series_;         // of each row, with shared differences; else empty
-  Eigen::VectorXd inverse_sigma_;   // of each row, with shared differences
+  std::vector<int> series_;        // of each row, with shared differences; else empty
+  Eigen::VectorXd inverse_sigma_;  // of each row, with shared differences
   int num_series_ = 0;
 };
 

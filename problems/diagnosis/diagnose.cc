@@ -96,7 +96,8 @@ void Populate(const ProblemSpec& spec, HypothesisSpace* space, DiagnosisResult* 
         d->not_testable.push_back({InstanceName(request), reason});
       }
     }
-    if (effect->Candidates(context).empty() && effect->Place(context, {}).effect_class != "geometry") {
+    if (effect->Candidates(context).empty() &&
+        effect->Place(context, {}).effect_class != "geometry") {
       d->not_testable.push_back({effect->Describe().name, "needs " + effect->Describe().needs});
     }
   }
@@ -115,8 +116,8 @@ void DescribeMisfit(const CompleteFit& fit,
   misfit.statistic = clean.y.squaredNorm();
   misfit.dof = clean.nu;
   misfit.p_value = outcome.p_geometry;
-  misfit.rms = misfit.noise_sigma *
-               std::sqrt(clean.y.squaredNorm() / static_cast<double>(clean.y.size()));
+  misfit.rms =
+      misfit.noise_sigma * std::sqrt(clean.y.squaredNorm() / static_cast<double>(clean.y.size()));
 }
 
 }  // namespace
@@ -151,10 +152,11 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
 
   CleanRows clean = Clean(*before, Thinned(c.readings.fitted));
   if (c.readings.fitted.size() > kMostReadings) {
-    d.notes.push_back(fmt::format("{} of {} rows were searched, evenly over the recording; the "
-                                  "fits use all.",
-                                  kMostReadings,
-                                  c.readings.fitted.size()));
+    d.notes.push_back(
+        fmt::format("{} of {} rows were searched, evenly over the recording; the "
+                    "fits use all.",
+                    kMostReadings,
+                    c.readings.fitted.size()));
   }
   const PhysicsContext context = c.Context();
   HypothesisSpace space(context, *clean.rows, clean.U, clean.y);

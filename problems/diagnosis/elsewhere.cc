@@ -23,16 +23,22 @@ using Eigen::VectorXd;
 
 constexpr int kPoses = 300;
 constexpr double kHalfRange = 120 * kDegree;
-constexpr double kDetection = 27;       // non-centrality found with 90 % at 1e-4 (physics.md A.8)
-constexpr double kTypicalToPrior = 3;   // an effect's prior sigma, in typical sizes
-constexpr double kOtherPayload = 15;    // [kg]
+constexpr double kDetection = 27;      // non-centrality found with 90 % at 1e-4 (physics.md A.8)
+constexpr double kTypicalToPrior = 3;  // an effect's prior sigma, in typical sizes
+constexpr double kOtherPayload = 15;   // [kg]
 constexpr std::size_t kMostPoses = 8;
 
 /// True for effects that depend on the pose alone: others have no value at a pose elsewhere.
 bool DependsOnPoseOnly(const EffectRequest& request) {
-  for (const char* const name : {"joint_compliance", "torsion_nonlinearity", "gravity_balancer",
-                                 "link_bending", "base_compliance", "joint_gain", "gear_harmonic",
-                                 "joint_coupling", "axis_wobble"}) {
+  for (const char* const name : {"joint_compliance",
+                                 "torsion_nonlinearity",
+                                 "gravity_balancer",
+                                 "link_bending",
+                                 "base_compliance",
+                                 "joint_gain",
+                                 "gear_harmonic",
+                                 "joint_coupling",
+                                 "axis_wobble"}) {
     if (request.effect == name) return request.setting("measured_torque", 0) == 0;
   }
   return false;
@@ -77,8 +83,7 @@ MatrixXd Elsewhere::Raw(const EffectRequest& request) const {
   const std::vector<EffectColumn> columns = EffectColumns(space_.context(), request);
   MatrixXd raw(space_.rows().num_rows(), static_cast<Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    raw.col(static_cast<Index>(k)) =
-        columns[k].typical * space_.rows().Column(columns[k].slots);
+    raw.col(static_cast<Index>(k)) = columns[k].typical * space_.rows().Column(columns[k].slots);
   }
   return raw;
 }
@@ -96,10 +101,8 @@ MatrixXd Elsewhere::Moves(const EffectRequest& request,
   MatrixXd moves(3 * poses.num_rows(), static_cast<Index>(columns.size()));
   PoseWithDerivatives pose;
   for (int row = 0; row < poses.num_rows(); ++row) {
-    c_.chain.PoseAndDerivatives(poses.q.row(row).transpose(),
-                                c_.SlotDeltas(state_, 0),
-                                c_.frames.ends(0, 0),
-                                &pose);
+    c_.chain.PoseAndDerivatives(
+        poses.q.row(row).transpose(), c_.SlotDeltas(state_, 0), c_.frames.ends(0, 0), &pose);
     for (std::size_t k = 0; k < columns.size(); ++k) {
       Eigen::Vector3d move = Eigen::Vector3d::Zero();
       for (const SlotWeights& weights : columns[k].slots) {
@@ -174,10 +177,8 @@ Elsewhere::Split Elsewhere::PosesThatSplit(int one, int other) const {
     VectorXd moved = Moves(first, none, poses) * size - Moves(second, none, poses) * imitation;
     PoseWithDerivatives pose;
     for (int row = 0; row < poses.num_rows(); ++row) {
-      c_.chain.PoseAndDerivatives(poses.q.row(row).transpose(),
-                                  c_.SlotDeltas(state_, 0),
-                                  c_.frames.ends(0, 0),
-                                  &pose);
+      c_.chain.PoseAndDerivatives(
+          poses.q.row(row).transpose(), c_.SlotDeltas(state_, 0), c_.frames.ends(0, 0), &pose);
       for (std::size_t g = 0; g < geometry_.size(); ++g) {
         if (!InScope(geometry_[g], 0, 0)) continue;
         moved.segment<3>(3 * row) -=

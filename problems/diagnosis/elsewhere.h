@@ -29,7 +29,7 @@ class Elsewhere {
   /// and `other` can do with the recorded rows. Largest first, with the difference [m].
   struct Split {
     std::vector<SeparatingPose> poses;
-    double largest = 0;  // [m]
+    double largest = 0;       // [m]
     double with_payload = 0;  // [m] at the recorded poses with another payload; 0 = no such
   };
   Split PosesThatSplit(int one, int other) const;
@@ -48,8 +48,8 @@ class Elsewhere {
   const Eigen::VectorXd& state_;
   const HypothesisSpace& space_;
   std::vector<Parameter> geometry_;
-  Eigen::MatrixXd J_;             // whitened, times tolerance
-  Eigen::MatrixXd normal_;        // (J'J + I)^-1
+  Eigen::MatrixXd J_;       // whitened, times tolerance
+  Eigen::MatrixXd normal_;  // (J'J + I)^-1
   Eigen::VectorXd tolerance_;
   Recording poses_;
 };

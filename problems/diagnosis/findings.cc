@@ -119,10 +119,10 @@ void AddParameters(const std::vector<int>& columns,
     }
     const double replication = Replication(fit, column);
     if (replication < kReplicates) {
-      finding->cautions.push_back(fmt::format(
-          "{} differs between the runs by more than its uncertainty (p = {:.2g})",
-          column.parameter,
-          replication));
+      finding->cautions.push_back(
+          fmt::format("{} differs between the runs by more than its uncertainty (p = {:.2g})",
+                      column.parameter,
+                      replication));
     }
   }
 }
@@ -165,8 +165,7 @@ std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,
   const VectorXd left_out = LeftOutResiduals(after, folds, {});
   const VectorXd fitted = FittedResiduals(after, {});
   d->validation_method = folds.method;
-  d->rms_train_before =
-      Rms(FittedResiduals(before, {}), before.fit.noise_seen.sigma);
+  d->rms_train_before = Rms(FittedResiduals(before, {}), before.fit.noise_seen.sigma);
   d->rms_train_after = Rms(fitted, sigma);
   d->rms_test_before = Rms(LeftOutResiduals(before, folds, {}), before.fit.noise_seen.sigma);
   d->rms_test_after = Rms(left_out, sigma);
@@ -189,8 +188,7 @@ std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,
       own.insert(own.end(), columns[i].begin(), columns[i].end());
     }
     finding.effect = effects[group.front()];
-    const EffectPlace place =
-        FindEffect(finding.effect.effect)->Place(context, finding.effect);
+    const EffectPlace place = FindEffect(finding.effect.effect)->Place(context, finding.effect);
     finding.effect_class = place.effect_class;
     finding.location = place.location;
     finding.driver = place.driver;

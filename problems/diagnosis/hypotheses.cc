@@ -45,7 +45,8 @@ Eigen::MatrixXd HypothesisSpace::Raw(const std::vector<EffectColumn>& columns) c
 ColumnRange HypothesisSpace::AddColumns(const Eigen::MatrixXd& raw) {
   const ColumnRange range{num_columns_, static_cast<int>(raw.cols())};
   if (num_columns_ + range.size > X_.cols()) {
-    X_.conservativeResize(Eigen::NoChange, std::max<Eigen::Index>(X_.cols() + X_.cols() / 4, 256) + range.size);
+    X_.conservativeResize(Eigen::NoChange,
+                          std::max<Eigen::Index>(X_.cols() + X_.cols() / 4, 256) + range.size);
   }
   X_.middleCols(num_columns_, range.size) = ProjectOff(U_, raw);
   for (int k = 0; k < range.size; ++k) norm2_.push_back(raw.col(k).squaredNorm());

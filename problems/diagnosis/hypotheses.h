@@ -19,10 +19,10 @@ namespace dhcal {
 /// One block of columns.
 struct Hypothesis {
   bool named = false;
-  EffectRequest request;  // named
-  EffectPlace place;      // named
-  int shape_block = -1;   // named: nuisance block of its shape errors, or -1
-  std::string slot, driver;  // anonymous: "theta3", "q2"
+  EffectRequest request;          // named
+  EffectPlace place;              // named
+  int shape_block = -1;           // named: nuisance block of its shape errors, or -1
+  std::string slot, driver;       // anonymous: "theta3", "q2"
   Eigen::VectorXd driver_values;  // anonymous, per recording row; empty = several drivers
   std::vector<double> knots;      // anonymous, of a curve
   ColumnRange columns;

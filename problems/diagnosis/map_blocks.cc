@@ -30,8 +30,7 @@ struct Driver {
 
 bool Varies(const VectorXd& values) {
   return values.size() > 0 && values.allFinite() &&
-         values.maxCoeff() - values.minCoeff() >
-             1e-9 * std::max(1.0, values.cwiseAbs().maxCoeff());
+         values.maxCoeff() - values.minCoeff() > 1e-9 * std::max(1.0, values.cwiseAbs().maxCoeff());
 }
 
 /// Knots at quantiles, so that every hat has rows under it.

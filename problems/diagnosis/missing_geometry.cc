@@ -55,7 +55,9 @@ struct Gain {
   Eigen::MatrixXd basis;
 };
 
-Gain GainOf(const Eigen::MatrixXd& U, const Eigen::MatrixXd& columns, const Eigen::VectorXd& y,
+Gain GainOf(const Eigen::MatrixXd& U,
+            const Eigen::MatrixXd& columns,
+            const Eigen::VectorXd& y,
             bool sigma_known) {
   Gain gain;
   // What the file's own parameters can do is not missing.
@@ -109,7 +111,8 @@ Finding Describe(const Completion& completion, const CompleteFit& fit, double p_
     found.ci95_high = found.value + 1.96 * found.sigma;
     found.unit = column.unit;
     finding.parameters.push_back(found);
-    if (i < columns.size() && analysis.identifiability.parameters[k].verdict == Verdict::kIdentified) {
+    if (i < columns.size() &&
+        analysis.identifiability.parameters[k].verdict == Verdict::kIdentified) {
       values.push_back({column.parameter, column.unit, found.value, found.sigma});
     }
   }
@@ -130,9 +133,6 @@ void AddMissingGeometry(const ProblemSpec& spec,
   const Calibration user(user_spec, recording);
   const std::vector<Completion> completions = Missing(user, complete.calibration);
   if (completions.empty()) return;
-  ProblemSpec complete_spec = complete.spec;
-  complete_spec.robot = identified.calibrated;
-  const Calibration freed(complete_spec, recording);
   const Eigen::VectorXd zero =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(user.parameters.size()));
   const DesignRows rows(user, zero, complete.fit.noise_seen, user.readings.fitted);
@@ -147,7 +147,7 @@ void AddMissingGeometry(const ProblemSpec& spec,
       if (used[k]) continue;
       std::vector<Parameter> parameters;
       for (const std::size_t i : completions[k].parameters) {
-        parameters.push_back(freed.parameters[i]);
+        parameters.push_back(complete.calibration.parameters[i]);
       }
       const Eigen::MatrixXd J = rows.Geometry(parameters);
       const Gain gain =
@@ -167,8 +167,7 @@ void AddMissingGeometry(const ProblemSpec& spec,
     y = ProjectOff(best_gain.basis, y);
     Finding finding = Describe(completions[best], complete, best_gain.p);
     finding.rms_train_before = rms_before;
-    finding.rms_train_after =
-        sigma * std::sqrt(y.squaredNorm() / static_cast<double>(y.size()));
+    finding.rms_train_after = sigma * std::sqrt(y.squaredNorm() / static_cast<double>(y.size()));
     d->findings.push_back(finding);
   }
 }

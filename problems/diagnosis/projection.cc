@@ -26,8 +26,7 @@ Eigen::MatrixXd OrthonormalBasis(const Eigen::MatrixXd& J, double relative_cut) 
     if (norms[k] > kZeroColumn * longest) used.push_back(static_cast<int>(k));
   }
   if (used.empty()) return Eigen::MatrixXd(J.rows(), 0);
-  const Eigen::MatrixXd scaled =
-      J(Eigen::all, used) * norms(used).cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd scaled = J(Eigen::all, used) * norms(used).cwiseInverse().asDiagonal();
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(scaled);
   const Eigen::Index cols = scaled.cols();
   const Eigen::MatrixXd R =

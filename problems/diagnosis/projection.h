@@ -24,9 +24,7 @@ Eigen::MatrixXd ProjectOff(const Eigen::MatrixXd& U, const Eigen::MatrixBase<Der
 /// Readings of which a coordinate lies more than 4.5 robust standard deviations off, by the
 /// residual's own spread (a misfit widens it). None where they are so many that they are no
 /// outliers. `y`: rows projected off U; `sigma` > 0: known, else found.
-std::vector<bool> FlagOutliers(const Eigen::VectorXd& y,
-                               const Eigen::MatrixXd& U,
-                               int coordinates);
+std::vector<bool> FlagOutliers(const Eigen::VectorXd& y, const Eigen::MatrixXd& U, int coordinates);
 
 /// True if the flagged readings' residuals point along the motion of one joint, or of one axis of
 /// the tool, more than chance allows: then they are a local defect of that joint (a damaged tooth),

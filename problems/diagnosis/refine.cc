@@ -77,13 +77,20 @@ EffectRequest RefineSetting(const HypothesisSpace& space,
   return best;
 }
 
-double RefineOrder(const HypothesisSpace& space, const EffectRequest& request, double order) {
-  const Eigen::VectorXd q = space.context().q(request.joint - 1);
-  const double half = 2 * kPi / std::max(q.maxCoeff() - q.minCoeff(), 1e-6) / 5;
+double OrderResolution(const PhysicsContext& c, int joint) {
+  const Eigen::VectorXd q = c.q(joint);
+  return 2 * kPi / std::max(q.maxCoeff() - q.minCoeff(), 1e-6);
+}
+
+double RefineOrder(const HypothesisSpace& space,
+                   const EffectRequest& request,
+                   double order,
+                   const Eigen::MatrixXd& extra) {
+  const double half = 0.5 * OrderResolution(space.context(), request.joint - 1);
   const auto lost = [&](double candidate) {
     EffectRequest tried = request;
     tried.settings["order"] = candidate;
-    return -space.Removes(tried, Eigen::MatrixXd(space.y().size(), 0));
+    return -space.Removes(tried, extra);
   };
   return boost::math::tools::brent_find_minima(
              lost, std::max(order - half, 0.1), order + half, kBits)

@@ -17,8 +17,14 @@ EffectRequest RefineSetting(const HypothesisSpace& space,
                             const EffectRequest& request,
                             const Eigen::MatrixXd& extra);
 
-/// The order near `order` that removes most.
-double RefineOrder(const HypothesisSpace& space, const EffectRequest& request, double order);
+/// Orders closer than this cannot be told apart over the joint's range: 2 pi / range.
+double OrderResolution(const PhysicsContext& context, int joint);
+
+/// The order within half a resolution that removes most beside geometry and `extra`.
+double RefineOrder(const HypothesisSpace& space,
+                   const EffectRequest& request,
+                   double order,
+                   const Eigen::MatrixXd& extra);
 
 }  // namespace dhcal
 

@@ -12,8 +12,8 @@ namespace dhcal {
 namespace {
 
 constexpr int kMostAnonymous = 8;
-constexpr std::size_t kMostSwapsTried = 12;   // candidates per member
-constexpr std::size_t kMostExchanged = 4;     // members whose alternatives are all tested
+constexpr std::size_t kMostSwapsTried = 12;  // candidates per member
+constexpr std::size_t kMostExchanged = 4;    // members whose alternatives are all tested
 constexpr double kBetterPart = 0.5;
 
 class Searcher {
@@ -31,7 +31,7 @@ class Searcher {
     out.consistent = out.p_geometry > options_.false_alarm;
     out.tested.push_back({{}, out.p_geometry, out.consistent});
     if (out.consistent) return out;
-    tester_.AddPeaks(peaks);
+    tester_.AddPeaks(peaks, {});
     tester_.AddRefined({});
     tester_.Rebuild();
     TrySingles(&out);
@@ -55,10 +55,9 @@ class Searcher {
         continue;
       }
       TestedSet& known = out->tested[entry->second];
-      const bool better =
-          set.kept != known.kept
-              ? set.kept
-              : tester_.Evidence(set.members) > tester_.Evidence(known.members);
+      const bool better = set.kept != known.kept
+                              ? set.kept
+                              : tester_.Evidence(set.members) > tester_.Evidence(known.members);
       if (better) known = set;
     }
     ChooseSingle(out);
@@ -156,24 +155,46 @@ class Searcher {
       if (more.size() == members.size()) {
         // Nothing known helps; a new line of the spectrum or a better instant may.
         const std::size_t before = space_->all().size();
-        tester_.AddPeaks(tester_.Scan(members));
+        tester_.AddPeaks(tester_.Scan(members), members);
         tester_.AddRefined(members);
         if (space_->all().size() == before) break;
         tester_.Rebuild();
         if (BestAddition(members).size() == members.size()) break;
         continue;
       }
-      members = more.size() <= kMostExchanged ? WithSwaps(more) : more;
+      members = tester_.Polished(more.size() <= kMostExchanged ? WithSwaps(more) : more);
       const TestedSet set = tester_.Try(members, /*rescan=*/true);
       out->p_accepted = set.p;
       if (!set.kept) continue;
       out->complete = true;
       break;
     }
+    if (out->complete) members = Needed(members, out);
     out->accepted = members;
     if (members.empty()) return;
     out->tested.push_back({members, out->p_accepted, out->complete});
     if (out->complete) TryExchanges(members, out);
+  }
+
+  /// Drops members without which nothing significant is left either, the weakest first.
+  std::vector<int> Needed(std::vector<int> members, SearchOutcome* out) const {
+    for (bool dropped = true; dropped && members.size() > 1;) {
+      dropped = false;
+      std::vector<std::pair<double, std::size_t>> order;
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        order.emplace_back(-tester_.Evidence(Without(members, i)), i);
+      }
+      std::sort(order.begin(), order.end());
+      for (const auto& [evidence, i] : order) {
+        const TestedSet set = tester_.Try(Without(members, i), /*rescan=*/true);
+        if (!set.kept) continue;
+        members = set.members;
+        out->p_accepted = set.p;
+        dropped = true;
+        break;
+      }
+    }
+    return members;
   }
 
   /// The confidence set over the sets that one exchange reaches.

@@ -14,11 +14,11 @@
 namespace dhcal {
 
 struct SearchOptions {
-  double false_alarm = 0.01;         // family-wise
+  double false_alarm = 0.01;  // family-wise
   bool sigma_known = false;
   double nu = 0;                     // freedom of the rows beside the geometry
   std::vector<std::string> effects;  // names that may be given; empty = all
-  int max_effects = 12;  // all lines of one joint's gear count as one
+  int max_effects = 12;              // all lines of one joint's gear count as one
   int draws = 2000;
   std::uint64_t seed = 1;
 };
@@ -31,17 +31,17 @@ struct TestedSet {
 };
 
 struct SearchOutcome {
-  double p_geometry = 1;     // that geometry and noise are all
-  double score_geometry = 0; // largest normal score
+  double p_geometry = 1;      // that geometry and noise are all
+  double score_geometry = 0;  // largest normal score
   bool consistent = true;
   std::vector<BlockScore> scores;  // of every block beside the geometry alone
   std::vector<int> accepted;       // the best set of names; may be empty
   bool complete = false;           // nothing significant is left beside them
   double p_accepted = 0;
-  std::vector<TestedSet> tested;   // the confidence set and what was rejected from it
-  std::vector<int> anonymous;      // map blocks that describe the rest, largest first
-  double removed_by_names = 0;     // squares
-  double removed_by_all = 0;       // with the anonymous ones
+  std::vector<TestedSet> tested;  // the confidence set and what was rejected from it
+  std::vector<int> anonymous;     // map blocks that describe the rest, largest first
+  double removed_by_names = 0;    // squares
+  double removed_by_all = 0;      // with the anonymous ones
 };
 
 /// May add hypotheses to the space (peaks of the spectrum, refined instants).

@@ -23,7 +23,6 @@ constexpr double kHopeless = 7.0;
 constexpr std::size_t kMostRefined = 4;
 // Lines of one joint's gear that are followed.
 constexpr int kMostLines = 8;
-constexpr double kSameOrder = 0.3;
 
 }  // namespace
 
@@ -91,14 +90,15 @@ double SetTester::LeastScan(const std::vector<SpectralPeak>& peaks) {
   return least;
 }
 
-bool SetTester::AddPeaks(const std::vector<SpectralPeak>& peaks) {
+bool SetTester::AddPeaks(const std::vector<SpectralPeak>& peaks, const std::vector<int>& members) {
+  const Eigen::MatrixXd extra = BasisOf(members);
   bool any = false;
   for (const SpectralPeak& peak : peaks) {
     if (peak.p_scan > options_.false_alarm || !MayBeNamed("gear_harmonic")) continue;
     EffectRequest request;
     request.effect = "gear_harmonic";
     request.joint = peak.joint + 1;
-    request.settings["order"] = RefineOrder(*space_, request, peak.order);
+    request.settings["order"] = RefineOrder(*space_, request, peak.order, extra);
     lines_.push_back(space_->AddEffect(request, /*in_maximum=*/false));
     any = true;
   }
@@ -121,11 +121,43 @@ void SetTester::AddRefined(const std::vector<int>& members) {
   for (std::size_t k = 0; k < ranked.size() && k < kMostRefined; ++k) {
     if (score(ranked[k]) < 3) break;
     const EffectRequest refined = RefineSetting(*space_, at(ranked[k]).request, extra);
-    const bool known = std::any_of(names_.begin(), names_.end(), [&](int other) {
-      return at(other).request.SameAs(refined);
-    });
+    const bool known = std::any_of(
+        names_.begin(), names_.end(), [&](int other) { return at(other).request.SameAs(refined); });
     if (!known) space_->AddEffect(refined, /*in_maximum=*/false);
   }
+}
+
+std::vector<int> SetTester::Polished(std::vector<int> members) {
+  constexpr int kRounds = 2;
+  constexpr double kMoved = 0.02;  // of a resolution
+  for (int round = 0; round < kRounds; ++round) {
+    bool moved = false;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      EffectRequest request = at(members[i]).request;
+      const bool is_line = request.setting("order", 0) >= kLowestOrder;
+      if (!is_line && !HasScannedSetting(request)) continue;
+      std::vector<int> others = members;
+      others.erase(others.begin() + static_cast<long>(i));
+      const Eigen::MatrixXd extra = BasisOf(others);
+      if (is_line) {
+        const double before = request.settings["order"];
+        const double order = RefineOrder(*space_, request, before, extra);
+        const double resolution = OrderResolution(space_->context(), request.joint - 1);
+        if (std::abs(order - before) < kMoved * resolution) continue;
+        request.settings["order"] = order;
+      } else {
+        const EffectRequest refined = RefineSetting(*space_, request, extra);
+        if (refined.SameAs(request)) continue;
+        request = refined;
+      }
+      members[i] = space_->AddEffect(request, /*in_maximum=*/false);
+      if (is_line) lines_.push_back(members[i]);
+      moved = true;
+    }
+    if (!moved) break;
+    Rebuild();
+  }
+  return members;
 }
 
 Eigen::VectorXd SetTester::Excused(const BlockModel& model, const std::vector<int>& members) const {
@@ -139,9 +171,9 @@ Eigen::VectorXd SetTester::Excused(const BlockModel& model, const std::vector<in
   Eigen::VectorXd excused(static_cast<Eigen::Index>(space_->all().size()));
   for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
     const Hypothesis& h = at(k);
-    const bool same = h.named ? places.count(h.place.location) > 0 ||
-                                    classes.count(h.place.effect_class) > 0
-                              : places.count(h.slot) > 0;
+    const bool same =
+        h.named ? places.count(h.place.location) > 0 || classes.count(h.place.effect_class) > 0
+                : places.count(h.slot) > 0;
     excused[k] = removed * (same ? kImmaterialSamePlace : kImmaterial);
   }
   return excused;
@@ -195,7 +227,8 @@ bool SetTester::Conflicts(int k, const std::vector<int>& members) const {
     if (mine.effect != "gear_harmonic") return true;
     ++lines;
     const double apart = std::abs(other.setting("order", 1) - mine.setting("order", 1));
-    if (apart < kSameOrder || lines >= kMostLines) return true;
+    const double resolution = OrderResolution(space_->context(), mine.joint - 1);
+    if (apart < 0.8 * std::min(resolution, 1.0) || lines >= kMostLines) return true;
   }
   return false;
 }

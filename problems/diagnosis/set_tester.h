@@ -42,9 +42,12 @@ class SetTester {
   std::vector<SpectralPeak> Scan(const std::vector<int>& members) const;
   static double LeastScan(const std::vector<SpectralPeak>& peaks);
   /// Significant peaks become hypotheses; true when there is one.
-  bool AddPeaks(const std::vector<SpectralPeak>& peaks);
+  bool AddPeaks(const std::vector<SpectralPeak>& peaks, const std::vector<int>& members);
   /// Families with an instant or a time constant that the rows ask for most get the best one.
   void AddRefined(const std::vector<int>& members);
+  /// The members with their orders, instants and time constants refined beside each other: found
+  /// one after the other, each was found with the later ones still in its way.
+  std::vector<int> Polished(std::vector<int> members);
 
  private:
   bool MayBeNamed(const std::string& effect) const;

@@ -23,9 +23,9 @@ constexpr double kSmallestShare = 1e-3;  // of a column's square that the basis 
 /// Sums over the readings that turn a function of one joint's angle (a value per recording row)
 /// into products of its column, for any function.
 struct JointSums {
-  MatrixXd products;  // recording rows x (basis + 1): column' [U, y]
-  VectorXd square;    // recording rows: own part of column'column
-  VectorXd cross;     // recording rows: part shared with the row before it
+  MatrixXd products;        // recording rows x (basis + 1): column' [U, y]
+  VectorXd square;          // recording rows: own part of column'column
+  VectorXd cross;           // recording rows: part shared with the row before it
   std::vector<int> before;  // recording row before, -1 = none
 };
 

@@ -51,7 +51,8 @@ std::vector<int> Regions(const MatrixXd& points) {
   const auto count = std::min<Index>(kRegions, points.rows());
   MatrixXd centres(count, points.cols());
   for (Index k = 0; k < count; ++k) {
-    centres.row(k) = points.row(static_cast<Index>(rng.Uniform(0, 1) * static_cast<double>(points.rows())));
+    centres.row(k) =
+        points.row(static_cast<Index>(rng.Uniform(0, 1) * static_cast<double>(points.rows())));
   }
   std::vector<int> region;
   for (int round = 0; round < kRounds; ++round) {

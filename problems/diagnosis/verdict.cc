@@ -39,8 +39,7 @@ void FillMap(const HypothesisSpace& space, const SearchOutcome& out, DiagnosisRe
     entry.statistic = score.Q;
     entry.dof = score.k;
     entry.p_value = score.p;
-    entry.rms = d->misfit.noise_sigma *
-                std::sqrt(score.Q / static_cast<double>(space.y().size()));
+    entry.rms = d->misfit.noise_sigma * std::sqrt(score.Q / static_cast<double>(space.y().size()));
     d->map.push_back(entry);
   }
   std::sort(d->map.begin(), d->map.end(), [](const MapEntry& a, const MapEntry& b) {
@@ -181,8 +180,8 @@ Unexplained Curve(const HypothesisSpace& space,
   double best = -1;
   for (int slot = 0; slot < slots.size(); ++slot) {
     const std::string name = slots.Name(slot);
-    const bool of_block = name == h.slot || name == h.slot + "_x" || name == h.slot + "_y" ||
-                          name == h.slot + "_z";
+    const bool of_block =
+        name == h.slot || name == h.slot + "_x" || name == h.slot + "_y" || name == h.slot + "_z";
     if (!of_block) continue;
     const Eigen::MatrixXd hats = Hats(h.driver_values, knots);
     Eigen::MatrixXd X(space.y().size(), hats.cols());
@@ -230,9 +229,9 @@ void AddUnexplained(const HypothesisSpace& space,
   d->unexplained = Curve(space, out.accepted, block, sigma_scale);
   const double all = std::max(out.removed_by_all, 1e-300);
   d->unexplained->fraction = std::clamp(1 - out.removed_by_names / all, 0.0, 1.0);
-  d->unexplained->rms = d->misfit.noise_sigma *
-                        std::sqrt(std::max(out.removed_by_all - out.removed_by_names, 0.0) /
-                                  static_cast<double>(space.y().size()));
+  d->unexplained->rms =
+      d->misfit.noise_sigma * std::sqrt(std::max(out.removed_by_all - out.removed_by_names, 0.0) /
+                                        static_cast<double>(space.y().size()));
 }
 
 void AddHidden(const CompleteFit& geometry,
@@ -260,9 +259,10 @@ void Withdraw(DiagnosisResult* d) {
   auto& findings = d->findings;
   for (auto finding = findings.begin(); finding != findings.end();) {
     if (IsPhysics(*finding) && finding->delta_log_predictive < 0) {
-      d->notes.push_back(fmt::format("{} fits the rows but does not predict rows left out; it was "
-                                     "withdrawn.",
-                                     InstanceName(finding->effect)));
+      d->notes.push_back(
+          fmt::format("{} fits the rows but does not predict rows left out; it was "
+                      "withdrawn.",
+                      InstanceName(finding->effect)));
       finding = findings.erase(finding);
     } else {
       ++finding;
@@ -287,9 +287,9 @@ void Decide(const SearchOutcome& out, std::size_t names_before, DiagnosisResult*
   if (out.consistent) {
     const bool geometry = !d->findings.empty();
     d->verdict = geometry ? DiagnosisVerdict::kExplained : DiagnosisVerdict::kConsistent;
-    d->summary = geometry ? "the rigid model meets the noise once its geometry is complete: " +
-                                Names(*d)
-                          : "the rigid model meets the noise; no left-out effect is demonstrated";
+    d->summary = geometry
+                     ? "the rigid model meets the noise once its geometry is complete: " + Names(*d)
+                     : "the rigid model meets the noise; no left-out effect is demonstrated";
   } else if (physics == 0) {
     d->verdict = DiagnosisVerdict::kUnexplained;
     d->summary = "something is left out that no effect of the library describes";
@@ -298,8 +298,8 @@ void Decide(const SearchOutcome& out, std::size_t names_before, DiagnosisResult*
     d->summary = "explained in part by " + Names(*d) + "; the rest is above the noise";
   } else if (confusable) {
     d->verdict = DiagnosisVerdict::kAmbiguous;
-    d->summary = "more than one effect explains the misfit on these poses; the likeliest: " +
-                 Names(*d);
+    d->summary =
+        "more than one effect explains the misfit on these poses; the likeliest: " + Names(*d);
   } else {
     d->verdict = DiagnosisVerdict::kExplained;
     d->summary = "explained by " + Names(*d);
@@ -318,8 +318,8 @@ void Conclude(const CompleteFit& geometry,
           : std::sqrt((space.y().squaredNorm() - outcome.removed_by_all) / d->misfit.dof);
   FillMap(space, outcome, d);
   FillHypotheses(space, outcome, d);
-  const auto names_before = static_cast<std::size_t>(
-      std::count_if(d->findings.begin(), d->findings.end(), IsPhysics));
+  const auto names_before =
+      static_cast<std::size_t>(std::count_if(d->findings.begin(), d->findings.end(), IsPhysics));
   Withdraw(d);
   if (outcome.complete) AddAlternatives(geometry, space, outcome, d);
   Decide(outcome, names_before, d);

@@ -13,7 +13,7 @@ struct CommandLine {
   std::string out;                    // folder, or the parent of folders for several problems
   std::string data_dir;               // flag, else environment variable DHCAL_DATA, else empty
   std::string diagnosis;
-  std::string method;                 // overrides the file when not empty
+  std::string method;  // overrides the file when not empty
   std::string singular_value_tolerance;
   bool quiet = false;
 };

@@ -170,10 +170,10 @@ void AddSingles(std::vector<Scenario>* all) {
   for (const int joint : {1, 2, 3}) {
     effects.push_back(Request("gear_harmonic", joint, {{"sin_1", 1e-4}}, {{"order", 1}}));
     effects.push_back(Request("gear_harmonic", joint, {{"sin_2", 7e-5}}, {{"order", 2}}));
-    effects.push_back(
-        Request("gear_harmonic", joint, {{"sin_121", 7e-5}}, {{"order", 121}}));
+    effects.push_back(Request("gear_harmonic", joint, {{"sin_121", 7e-5}}, {{"order", 121}}));
   }
-  for (const int joint : {1, 2, 3}) effects.push_back(Request("backlash", joint, {{"width", 1.4e-4}}));
+  for (const int joint : {1, 2, 3})
+    effects.push_back(Request("backlash", joint, {{"width", 1.4e-4}}));
   for (const int joint : {4, 5}) effects.push_back(Request("backlash", joint, {{"width", 3e-4}}));
   for (const EffectRequest& effect : effects) {
     Scenario s;
@@ -188,15 +188,19 @@ void AddSeveral(std::vector<Scenario>* all) {
   const EffectRequest c2 = Request("joint_compliance", 2, {{"compliance", 3e-6}});
   const EffectRequest backlash4 = Request("backlash", 4, {{"width", 3e-4}});
   const EffectRequest line3 = Request("gear_harmonic", 3, {{"sin_121", 7e-5}}, {{"order", 121}});
-  const EffectRequest coupling = Request("joint_coupling", 5, {{"coupling", 2e-4}}, {{"driver_joint", 4}});
+  const EffectRequest coupling =
+      Request("joint_coupling", 5, {{"coupling", 2e-4}}, {{"driver_joint", 4}});
   const EffectRequest step = Request("joint_step", 3, {{"step", 2e-4}}, {{"at_row", 45}});
   const EffectRequest twice1 = Request("gear_harmonic", 1, {{"sin_2", 1e-4}}, {{"order", 2}});
-  const std::vector<std::vector<EffectRequest>> sets = {
-      {c2, backlash4}, {c2, line3}, {coupling, step}, {c2, backlash4, twice1},
-      {step, line3, coupling}};
+  const std::vector<std::vector<EffectRequest>> sets = {{c2, backlash4},
+                                                        {c2, line3},
+                                                        {coupling, step},
+                                                        {c2, backlash4, twice1},
+                                                        {step, line3, coupling}};
   for (const auto& set : sets) {
     Scenario s;
-    for (const EffectRequest& effect : set) s.name += (s.name.empty() ? "" : " + ") + InstanceName(effect);
+    for (const EffectRequest& effect : set)
+      s.name += (s.name.empty() ? "" : " + ") + InstanceName(effect);
     s.group = "several";
     s.truth = set;
     all->push_back(s);
@@ -212,22 +216,26 @@ void AddOutside(std::vector<Scenario>* all) {
     s.outside = function;
     all->push_back(s);
   };
-  add("damaged tooth of joint 3 (10 deg wide, 0.4 mrad)", "theta3",
+  add("damaged tooth of joint 3 (10 deg wide, 0.4 mrad)",
+      "theta3",
       [](const PhysicsContext& c, int row, Eigen::VectorXd* delta) {
         const double x = (c.recording().q(row, 2) / kDegree - 15) / 10;
         (*delta)[c.slots().joint(2, JointSlot::kTheta)] += 0.4e-3 * std::exp(-0.5 * x * x);
       });
-  add("kink of joint 2, 0.5 mrad/rad |q2 - 40 deg|", "theta2",
+  add("kink of joint 2, 0.5 mrad/rad |q2 - 40 deg|",
+      "theta2",
       [](const PhysicsContext& c, int row, Eigen::VectorXd* delta) {
         (*delta)[c.slots().joint(1, JointSlot::kTheta)] +=
             0.5e-3 * std::abs(c.recording().q(row, 1) - 40 * kDegree);
       });
-  add("cable pull on joint 5, 0.15 mrad q4 q6", "theta5",
+  add("cable pull on joint 5, 0.15 mrad q4 q6",
+      "theta5",
       [](const PhysicsContext& c, int row, Eigen::VectorXd* delta) {
         (*delta)[c.slots().joint(4, JointSlot::kTheta)] +=
             0.15e-3 * c.recording().q(row, 3) * c.recording().q(row, 5);
       });
-  add("unlisted coupling, joint 1 turns joint 3 by 0.2 mrad sin 2 q1", "theta3",
+  add("unlisted coupling, joint 1 turns joint 3 by 0.2 mrad sin 2 q1",
+      "theta3",
       [](const PhysicsContext& c, int row, Eigen::VectorXd* delta) {
         (*delta)[c.slots().joint(2, JointSlot::kTheta)] +=
             0.2e-3 * std::sin(2 * c.recording().q(row, 0));
@@ -259,8 +267,8 @@ Draw MakeDraw(const Scenario& s, std::uint64_t seed) {
   for (int row = 0; row < s.poses; ++row) {
     Eigen::VectorXd delta = geometry + physics.col(row);
     if (s.outside) s.outside(context, row, &delta);
-    const Eigen::Isometry3d X_WQ = chain.Pose<double>(
-        recording.q.row(row).transpose(), delta, {robot.X_WB, robot.X_TQ});
+    const Eigen::Isometry3d X_WQ =
+        chain.Pose<double>(recording.q.row(row).transpose(), delta, {robot.X_WB, robot.X_TQ});
     const double size = s.sigma * (rng.Uniform(0, 1) < s.outliers ? 10 : 1);
     for (int k = 0; k < 3; ++k) {
       recording.p_WQ(row, k) = X_WQ.translation()[k] + size * rng.Normal();

@@ -30,7 +30,7 @@ struct Scenario {
   std::vector<EffectRequest> truth;  // with values
   // Physics that the library does not have: adds to a slot vector at a row.
   std::function<void(const PhysicsContext&, int row, Eigen::VectorXd* delta)> outside;
-  std::string outside_slot;  // where that acts
+  std::string outside_slot;   // where that acts
   bool wrong_masses = false;  // the problem file's masses are off by 30 %, its payload by 2 kg
 };
 

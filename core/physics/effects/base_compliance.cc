@@ -5,8 +5,8 @@
 // M: gravity's moment about the base's origin, in base axes. A static tilt is geometry (base_rx,
 // base_ry). Equal C_x = C_y (a round pedestal) looks much like compliance of joint 2; unequal ones
 // are seen by turning joint 1.
-// Typical: 1e-8-1e-7 rad/(N m) bolted to concrete, 1e-7-1e-6 on a steel frame. Source: physics.md E4.
-// Worked number: row 0 of the example has M_y = +665 N m; 1e-7 rad/(N m) tilt it by 66.5 urad.
+// Typical: 1e-8-1e-7 rad/(N m) bolted to concrete, 1e-7-1e-6 on a steel frame. Source: physics.md
+// E4. Worked number: row 0 of the example has M_y = +665 N m; 1e-7 rad/(N m) tilt it by 66.5 urad.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -84,10 +84,11 @@ class BaseComplianceEffect final : public Effect {
       return "the base tilts under the robot's weight (the masses are not known, so only products "
              "with its compliance are)";
     }
-    return fmt::format("the base tilts under the robot's overturning moment, {} about its x axis "
-                       "and {} about y",
-                       Quantity(x, 1e-6, "urad per N m"),
-                       Quantity(y, 1e-6, "urad per N m"));
+    return fmt::format(
+        "the base tilts under the robot's overturning moment, {} about its x axis "
+        "and {} about y",
+        Quantity(x, 1e-6, "urad per N m"),
+        Quantity(y, 1e-6, "urad per N m"));
   }
 
   WorkedExample Example() const override {

@@ -39,8 +39,8 @@ class BaseDriftEffect final : public Effect {
     const bool clock = DriftByTime(c, request);
     std::vector<EffectColumn> columns;
     for (int k = 0; k < 3; ++k) {
-      columns.push_back(SlotColumn(
-          kNames[k], clock ? "m" : "m/K", clock ? 1e-4 : 1e-5, c.slots().base(k), u));
+      columns.push_back(
+          SlotColumn(kNames[k], clock ? "m" : "m/K", clock ? 1e-4 : 1e-5, c.slots().base(k), u));
     }
     return columns;
   }

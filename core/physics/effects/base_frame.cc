@@ -55,9 +55,7 @@ class BaseFrameEffect final : public Effect {
     for (int k = 0; k < SlotLayout::kPerFrame; ++k) {
       const EffectValue value = Find(values, kNames[k]);
       if (!(value.sigma > 0)) continue;
-      text += fmt::format(" {} {},",
-                          kNames[k],
-                          Quantity(value, 1e-3, k < 3 ? "mm" : "mrad"));
+      text += fmt::format(" {} {},", kNames[k], Quantity(value, 1e-3, k < 3 ? "mm" : "mrad"));
     }
     text.pop_back();
     return text;

@@ -16,7 +16,9 @@
 namespace dhcal {
 namespace {
 
-std::string WithOrder(const char* name, double order) { return fmt::format("{}_{:g}", name, order); }
+std::string WithOrder(const char* name, double order) {
+  return fmt::format("{}_{:g}", name, order);
+}
 
 class GearHarmonicEffect final : public Effect {
  public:
@@ -41,16 +43,11 @@ class GearHarmonicEffect final : public Effect {
     const double order = request.setting("order", 1);
     const Eigen::ArrayXd phase = order * c.q(joint).array();
     const double typical = order < 3 ? 1e-4 : 5e-5;
-    return {SlotColumn(WithOrder("sin", order),
-                       "rad",
-                       typical,
-                       c.joint_slot(joint),
-                       phase.sin().matrix()),
-            SlotColumn(WithOrder("cos", order),
-                       "rad",
-                       typical,
-                       c.joint_slot(joint),
-                       phase.cos().matrix())};
+    return {
+        SlotColumn(
+            WithOrder("sin", order), "rad", typical, c.joint_slot(joint), phase.sin().matrix()),
+        SlotColumn(
+            WithOrder("cos", order), "rad", typical, c.joint_slot(joint), phase.cos().matrix())};
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
     std::vector<EffectRequest> requests;
@@ -70,8 +67,8 @@ class GearHarmonicEffect final : public Effect {
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     const double order = request.setting("order", 1);
-    const EffectValue amplitude = Amplitude(Find(values, WithOrder("sin", order)),
-                                            Find(values, WithOrder("cos", order)));
+    const EffectValue amplitude =
+        Amplitude(Find(values, WithOrder("sin", order)), Find(values, WithOrder("cos", order)));
     return fmt::format("joint {} errs periodically, {:.4g} times per turn, with an amplitude of {}",
                        request.joint,
                        order,

@@ -107,14 +107,13 @@ class JointComplianceEffect final : public Effect {
     const EffectValue c = Find(values, "compliance");
     const char* const load = UsesMeasuredTorque(request) ? "its measured torque" : "gravity";
     if (c.sigma > 0) {
-      return fmt::format("joint {} yields {} under {}",
-                         request.joint,
-                         Quantity(c, kMicro, "urad per N m"),
-                         load);
+      return fmt::format(
+          "joint {} yields {} under {}", request.joint, Quantity(c, kMicro, "urad per N m"), load);
     }
-    std::string text = fmt::format("joint {} yields under gravity; the masses are not known, so "
-                                   "only products with the compliance are: ",
-                                   request.joint);
+    std::string text = fmt::format(
+        "joint {} yields under gravity; the masses are not known, so "
+        "only products with the compliance are: ",
+        request.joint);
     for (std::size_t k = 0; k < values.size(); ++k) {
       const EffectValue& value = values[k];
       const std::string moment = value.parameter.substr(std::string("compliance_x_").size());
@@ -145,8 +144,7 @@ class JointComplianceEffect final : public Effect {
                              const std::string& unit,
                              double typical_moment,
                              const Eigen::VectorXd& torque) {
-    return SlotColumn(
-        name, unit, Typical(joint) * typical_moment, c.joint_slot(joint), torque);
+    return SlotColumn(name, unit, Typical(joint) * typical_moment, c.joint_slot(joint), torque);
   }
 };
 

@@ -35,11 +35,8 @@ class JointCouplingEffect final : public Effect {
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
-    return {SlotColumn("coupling",
-                       "rad/rad",
-                       2e-4,
-                       c.joint_slot(JointIndex(request)),
-                       c.q(Driver(request)))};
+    return {SlotColumn(
+        "coupling", "rad/rad", 2e-4, c.joint_slot(JointIndex(request)), c.q(Driver(request)))};
   }
   /// Couplings of the last three joints, and of the third by the second (a parallelogram).
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {

@@ -18,8 +18,8 @@
 namespace dhcal {
 namespace {
 
-constexpr double kTypical = 1e-6;        // [1/(N m^2)]
-constexpr double kShortestBeam = 0.2;    // [m] what is shorter does not bend
+constexpr double kTypical = 1e-6;      // [1/(N m^2)]
+constexpr double kShortestBeam = 0.2;  // [m] what is shorter does not bend
 
 Twist Bend(const PhysicsContext& c, const MassCase& mass_case, int row, int link) {
   const Eigen::Vector3d start = c.X_BL(row, link - 1).translation();
@@ -68,12 +68,11 @@ class LinkBendingEffect final : public Effect {
     std::vector<EffectColumn> columns;
     for (const MassCase& mass_case : MassCases(c, link)) {
       const bool known = mass_case.name.empty();
-      columns.push_back(
-          Column(c,
-                 mass_case,
-                 link,
-                 known ? "flexibility" : "flexibility_x_" + mass_case.name,
-                 known ? "1/(N m^2)" : "1/(N m^2) " + mass_case.unit));
+      columns.push_back(Column(c,
+                               mass_case,
+                               link,
+                               known ? "flexibility" : "flexibility_x_" + mass_case.name,
+                               known ? "1/(N m^2)" : "1/(N m^2) " + mass_case.unit));
       columns.back().positive = known;
     }
     return columns;
@@ -105,9 +104,10 @@ class LinkBendingEffect final : public Effect {
                        const std::vector<EffectValue>& values) const override {
     const EffectValue flexibility = Find(values, "flexibility");
     if (flexibility.sigma <= 0) {
-      return fmt::format("link {} bends under the weight beyond it (its masses are not known, so "
-                         "only products with the flexibility are)",
-                         request.joint);
+      return fmt::format(
+          "link {} bends under the weight beyond it (its masses are not known, so "
+          "only products with the flexibility are)",
+          request.joint);
     }
     return fmt::format("link {} bends under the weight beyond it: 1/EI = {}",
                        request.joint,

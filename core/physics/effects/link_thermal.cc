@@ -2,12 +2,12 @@
 //
 //   d a_i = e a_i u,  d d_i = e d_i u
 //
-// With a temperature column: u = T - T(first row) [K] and e is an expansion coefficient [1/K] (11e-6
-// steel, 23e-6 aluminium). Without: u = 1 - exp(-t/T) with the setting time_constant_s, and e is
-// the strain at the end of the warm-up. A uniform temperature of robot and instrument scales all
-// lengths alike, which no reading of this kind shows.
-// Typical: 0.65 m of aluminium, 10 K: 0.15 mm (strain 230e-6). Source: physics.md T1.
-// Worked number: e = 20e-6 1/K, 10 K, a_2 = 0.65 m: +0.13 mm.
+// With a temperature column: u = T - T(first row) [K] and e is an expansion coefficient [1/K]
+// (11e-6 steel, 23e-6 aluminium). Without: u = 1 - exp(-t/T) with the setting time_constant_s, and
+// e is the strain at the end of the warm-up. A uniform temperature of robot and instrument scales
+// all lengths alike, which no reading of this kind shows. Typical: 0.65 m of aluminium, 10 K: 0.15
+// mm (strain 230e-6). Source: physics.md T1. Worked number: e = 20e-6 1/K, 10 K, a_2 = 0.65 m:
+// +0.13 mm.
 #include <cmath>
 
 #include <fmt/format.h>

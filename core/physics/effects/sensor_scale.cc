@@ -2,11 +2,10 @@
 //
 //   reading = (1 + e) p, so base_xyz += e p_WQ           e [1]
 //
-// With free lengths, base and tool it is exactly the same as a larger robot: no reading of this kind
-// shows it, and the report always says so. It can be switched on where a length is held fixed or a
-// prior is given.
-// Typical: 1-50 ppm. Source: physics.md S1, L1, finding 2.
-// Worked number: e = 10 ppm at z = 1 m: +10 um.
+// With free lengths, base and tool it is exactly the same as a larger robot: no reading of this
+// kind shows it, and the report always says so. It can be switched on where a length is held fixed
+// or a prior is given. Typical: 1-50 ppm. Source: physics.md S1, L1, finding 2. Worked number: e =
+// 10 ppm at z = 1 m: +10 um.
 #include <cmath>
 
 #include <fmt/format.h>

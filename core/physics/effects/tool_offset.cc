@@ -20,7 +20,8 @@ class ToolOffsetEffect final : public Effect {
  public:
   EffectDescription Describe() const override {
     EffectDescription d{"tool_offset",
-                        "the measured point lies elsewhere on the flange than the file says (geometry, not physics)",
+                        "the measured point lies elsewhere on the flange than the file says "
+                        "(geometry, not physics)",
                         "tool_xyz += (x, y, z), tool_rxyz += (rx, ry, rz)",
                         "x, y, z [m], rx, ry, rz [rad]",
                         {},
@@ -55,9 +56,7 @@ class ToolOffsetEffect final : public Effect {
     for (int k = 0; k < SlotLayout::kPerFrame; ++k) {
       const EffectValue value = Find(values, kNames[k]);
       if (!(value.sigma > 0)) continue;
-      text += fmt::format(" {} {},",
-                          kNames[k],
-                          Quantity(value, 1e-3, k < 3 ? "mm" : "mrad"));
+      text += fmt::format(" {} {},", kNames[k], Quantity(value, 1e-3, k < 3 ? "mm" : "mrad"));
     }
     text.pop_back();
     return text;

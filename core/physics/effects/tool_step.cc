@@ -54,10 +54,8 @@ class ToolStepEffect final : public Effect {
                        const std::vector<EffectValue>& values) const override {
     std::string text = fmt::format("the tool slips {}: ", StepWords(request));
     for (int k = 0; k < 3; ++k) {
-      text += fmt::format("{}{} {}",
-                          k > 0 ? ", " : "",
-                          kNames[k],
-                          Quantity(Find(values, kNames[k]), 1e-3, "mm"));
+      text += fmt::format(
+          "{}{} {}", k > 0 ? ", " : "", kNames[k], Quantity(Find(values, kNames[k]), 1e-3, "mm"));
     }
     return text;
   }

@@ -5,8 +5,8 @@
 // Added to joint_compliance it describes the soft zone of harmonic drives and cycloid gears (three
 // stiffness regions K1 < K2 < K3): c3 < 0 beside c > 0. Needs masses: a cube of unknown moments is
 // not linear in them.
-// Typical: K2/K1 = 1.3-1.6, so c3 tau^2 is about -0.1 c at the largest torque. Source: physics.md G4.
-// Worked number: row 2 of the example, tau_3 = 0 N m carried: see the conformance test.
+// Typical: K2/K1 = 1.3-1.6, so c3 tau^2 is about -0.1 c at the largest torque. Source: physics.md
+// G4. Worked number: row 2 of the example, tau_3 = 0 N m carried: see the conformance test.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -48,15 +48,19 @@ class TorsionNonlinearityEffect final : public Effect {
     const double largest = std::max(torque.cwiseAbs().maxCoeff(), 1.0);
     // A twentieth of a milliradian at the largest torque.
     const double typical = 5e-5 / (largest * largest * largest);
-    return {SlotColumn("cubic",
-                       "rad/(N m)^3",
-                       typical,
-                       c.joint_slot(joint),
-                       torque.array().cube().matrix())};
+    return {SlotColumn(
+        "cubic", "rad/(N m)^3", typical, c.joint_slot(joint), torque.array().cube().matrix())};
   }
 
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    return EveryJoint(c, "torsion_nonlinearity");
+    std::vector<EffectRequest> requests = EveryJoint(c, "torsion_nonlinearity");
+    const auto count = requests.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      EffectRequest measured = requests[k];
+      measured.settings["measured_torque"] = 1;
+      if (NotTestable(c, measured).empty()) requests.push_back(measured);
+    }
+    return requests;
   }
 
   EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {

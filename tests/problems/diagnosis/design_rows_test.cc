@@ -1,0 +1,96 @@
+// The rows of the diagnosis are those of the residual blocks: same derivatives, same residuals.
+#include "problems/diagnosis/design_rows.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "core/solver/linearization.h"
+#include "problems/assembly.h"
+#include "problems/diagnosis/projection.h"
+#include "tests/support/recorder.h"
+#include "tests/support/robots.h"
+
+namespace dhcal {
+namespace {
+
+struct Kind {
+  const char* name;
+  MeasurementKind kind;
+  NoiseKind noise;
+};
+
+class DesignRowsLaw : public testing::TestWithParam<Kind> {};
+
+TEST_P(DesignRowsLaw, LeaveTheSameSquaresAsTheResidualBlocks) {
+  const TrueRobot truth = MakeTrueRobot(Kr15(), 4);
+  ProblemSpec spec = MakeSpec(truth.nominal, GetParam().kind, GetParam().noise);
+  if (GetParam().kind == MeasurementKind::kDistance) {
+    spec.measurement.anchors = {{"a", Eigen::Vector3d(2, 0, 0)}, {"b", Eigen::Vector3d(0, 2, 1)}};
+  }
+  RecordingPlan plan;
+  plan.poses = 60;
+  const Recording recording = Record(truth, spec, plan);
+  spec.parameters.effects.resize(1);
+  spec.parameters.effects[0].effect = "joint_gain";
+  spec.parameters.effects[0].joint = 3;
+  const Calibration c(spec, recording);
+  const Noise noise{20e-6, 50e-6};
+  const Eigen::VectorXd state =
+      Eigen::VectorXd::Constant(static_cast<Eigen::Index>(c.parameters.size()), 1e-4);
+
+  const auto problem = BuildProblem(c, noise);
+  problem->set_state(state);
+  Linearization linear;
+  ASSERT_TRUE(Linearize(problem.get(), &linear));
+  const DesignRows rows(c, state, noise, c.readings.fitted);
+  const Eigen::MatrixXd J = rows.Geometry(c.parameters);
+
+  // Shared readings come with one free offset per series; without what these explain, all is equal.
+  const auto num = static_cast<Eigen::Index>(c.parameters.size());
+  const Eigen::MatrixXd offsets = OrthonormalBasis(J.rightCols(J.cols() - num));
+  const Eigen::MatrixXd J_free = ProjectOff(offsets, J.leftCols(num));
+  const Eigen::VectorXd y = ProjectOff(offsets, rows.y());
+  const Eigen::MatrixXd normal = linear.R.transpose() * linear.R;
+  const Eigen::VectorXd right = linear.R.transpose() * linear.b;
+  EXPECT_LT((J_free.transpose() * J_free - normal).norm(), 1e-9 * normal.norm());
+  EXPECT_LT((J_free.transpose() * y - right).norm(), 1e-9 * right.norm());
+  EXPECT_NEAR(y.squaredNorm(), 2 * linear.cost(), 1e-9 * linear.cost());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds,
+    DesignRowsLaw,
+    testing::Values(Kind{"position", MeasurementKind::kPosition, NoiseKind::kIndependent},
+                    Kind{"pose", MeasurementKind::kPose, NoiseKind::kIndependent},
+                    Kind{"adjacent", MeasurementKind::kAdjacentPosition, NoiseKind::kIndependent},
+                    Kind{"shared", MeasurementKind::kAdjacentPosition, NoiseKind::kSharedPose}),
+    [](const auto& param) { return std::string(param.param.name); });
+
+TEST(OrthonormalBasis, MakesNoDirectionsOutOfRounding) {
+  Eigen::MatrixXd J = Eigen::MatrixXd::Random(30, 4);
+  J.col(2).setConstant(1e-13);
+  J.col(3) = J.col(0) + 2 * J.col(1);
+  EXPECT_EQ(OrthonormalBasis(J).cols(), 2);
+}
+
+TEST(FlagOutliers, FindsTheOddReadingsAndNoOthers) {
+  Eigen::VectorXd y = Eigen::VectorXd::Random(300);
+  y[31] = 30;
+  y[200] = -25;
+  const auto flagged = FlagOutliers(y, Eigen::MatrixXd::Zero(300, 0), 3);
+  for (std::size_t k = 0; k < flagged.size(); ++k) {
+    EXPECT_EQ(flagged[k], k == 10 || k == 66) << k;
+  }
+}
+
+TEST(FlagOutliers, ATenthOfTheRowsAreNoOutliers) {
+  Eigen::VectorXd y = Eigen::VectorXd::Random(300);
+  for (int k = 0; k < 30; ++k) y[9 * k] = 40;
+  for (const bool flagged : FlagOutliers(y, Eigen::MatrixXd::Zero(300, 0), 3)) {
+    EXPECT_FALSE(flagged);
+  }
+}
+
+}  // namespace
+}  // namespace dhcal

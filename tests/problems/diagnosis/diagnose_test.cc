@@ -1,0 +1,311 @@
+// The whole diagnosis on recordings whose answer is known. Rates over many draws: dhcal_study.
+#include "problems/diagnosis/diagnose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/units.h"
+#include "core/physics/registry.h"
+#include "problems/identify.h"
+#include "tests/support/recorder.h"
+#include "tests/support/robots.h"
+#include "tools/support/study_scenarios.h"
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
+namespace dhcal {
+namespace {
+
+using testing::HasSubstr;
+
+DiagnosisResult DiagnoseDraw(const ProblemSpec& spec, const Recording& recording) {
+  const Result result = IdentifyGeometry(spec, recording, {});
+  return Diagnose(spec, recording, result, {});
+}
+
+Scenario With(const EffectRequest& effect) {
+  Scenario scenario;
+  scenario.truth = {effect};
+  return scenario;
+}
+
+EffectRequest Compliance2() {
+  EffectRequest request;
+  request.effect = "joint_compliance";
+  request.joint = 2;
+  request.values["compliance"] = 3e-6;
+  return request;
+}
+
+TEST(Diagnose, CleanDataIsConsistentWithLimitsAndRisks) {
+  const Draw draw = MakeDraw(Scenario(), 1);
+  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::kConsistent);
+  EXPECT_TRUE(d.findings.empty());
+  EXPECT_GT(d.misfit.p_value, 0.01);
+  ASSERT_FALSE(d.hidden.empty());
+  for (const HiddenRisk& risk : d.hidden) {
+    EXPECT_GE(risk.visibility, 0);
+    EXPECT_LE(risk.visibility, 1.0 + 1e-9) << InstanceName(risk.effect);
+  }
+}
+
+TEST(Diagnose, ScaleIsNeverVisible) {
+  const Draw draw = MakeDraw(Scenario(), 2);
+  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  const auto scale = std::find_if(d.hidden.begin(), d.hidden.end(), [](const HiddenRisk& r) {
+    return r.effect.effect == "sensor_scale";
+  });
+  ASSERT_NE(scale, d.hidden.end());
+  EXPECT_LT(scale->visibility, 1e-3);
+  EXPECT_TRUE(std::isnan(scale->limit)) << "no amount of it can be found";
+}
+
+TEST(Diagnose, NamesLocatesAndSizesComplianceAndImprovesUnseenRows) {
+  const Draw draw = MakeDraw(With(Compliance2()), 1);
+  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  ASSERT_EQ(d.verdict, DiagnosisVerdict::kExplained) << d.summary;
+  ASSERT_EQ(d.findings.size(), 1);
+  const Finding& f = d.findings[0];
+  EXPECT_EQ(f.effect.effect, "joint_compliance");
+  EXPECT_EQ(f.location, "joint 2");
+  EXPECT_EQ(f.effect_class, "C1");
+  ASSERT_EQ(f.parameters.size(), 1);
+  EXPECT_EQ(f.parameters[0].name, "joint_compliance.2.compliance");
+  EXPECT_NEAR(f.parameters[0].value, 3e-6, 4 * f.parameters[0].sigma);
+  EXPECT_LT(f.parameters[0].sigma, 0.1e-6);
+  EXPECT_THAT(f.sentence, HasSubstr("joint 2 yields"));
+  EXPECT_LT(f.rms_test_after, 0.3 * f.rms_test_before);
+  EXPECT_LT(f.rms_test_after, 1.3 * draw.spec.measurement.sigma.value());
+  EXPECT_GT(f.delta_bic, 100);
+  EXPECT_FALSE(d.moved.empty()) << "the geometry had swallowed part of it";
+}
+
+TEST(Diagnose, WithoutMassesComplianceIsStillFound) {
+  Draw draw = MakeDraw(With(Compliance2()), 3);
+  draw.spec.robot.links.clear();
+  draw.spec.robot.payload = LinkMass();
+  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  bool found = false;
+  for (const Finding& f : d.findings)
+    found = found || f.effect.SameAs([] {
+      EffectRequest request;
+      request.effect = "joint_compliance";
+      request.joint = 2;
+      return request;
+    }());
+  EXPECT_TRUE(found) << d.summary;
+}
+
+TEST(Diagnose, ANegativeComplianceIsAnAlarm) {
+  EffectRequest reversed = Compliance2();
+  reversed.values["compliance"] = -3e-6;
+  const Draw draw = MakeDraw(With(reversed), 4);
+  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  ASSERT_FALSE(d.findings.empty());
+  EXPECT_THAT(d.findings[0].cautions, testing::Contains(HasSubstr("negative")));
+}
+
+TEST(Diagnose, FindsAMeshOrderThatItWasNotTold) {
+  EffectRequest line;
+  line.effect = "gear_harmonic";
+  line.joint = 3;
+  line.settings["order"] = 125;
+  line.values["sin_125"] = 1e-4;
+  const Draw draw = MakeDraw(With(line), 5);
+  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  ASSERT_EQ(d.findings.size(), 1) << d.summary;
+  EXPECT_EQ(d.findings[0].effect.effect, "gear_harmonic");
+  EXPECT_EQ(d.findings[0].effect.joint, 3);
+  EXPECT_NEAR(d.findings[0].effect.setting("order", 0), 125, 0.15);
+}
+
+TEST(Diagnose, AMissingTiltIsNamedAsGeometry) {
+  const Draw draw = MakeDraw(Scenario(), 6);
+  ProblemSpec spec = draw.spec;
+  spec.parameters.estimate = {"theta", "alpha", "a", "d", "base", "tool"};
+  const DiagnosisResult d = DiagnoseDraw(spec, draw.recording);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::kExplained) << d.summary;
+  ASSERT_EQ(d.findings.size(), 1);
+  EXPECT_EQ(d.findings[0].effect.effect, "axis_tilt");
+  EXPECT_EQ(d.findings[0].effect.joint, 2);
+  EXPECT_EQ(d.findings[0].effect_class, "geometry");
+}
+
+TEST(Diagnose, AWrongToolIsNamedAsGeometry) {
+  const Draw draw = MakeDraw(Scenario(), 7);
+  ProblemSpec spec = draw.spec;
+  // The last row's lengths would do as well as the tool: without them it is missed.
+  spec.parameters.estimate = {"theta", "alpha", "a", "d", "beta2", "base"};
+  spec.parameters.fix = {"a6", "d6"};
+  spec.robot.X_TQ.translation().x() += 2e-3;
+  const DiagnosisResult d = DiagnoseDraw(spec, draw.recording);
+  ASSERT_EQ(d.findings.size(), 1) << d.summary;
+  EXPECT_EQ(d.findings[0].effect.effect, "tool_offset");
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::kExplained);
+}
+
+TEST(Diagnose, SomethingOutsideTheLibraryIsLocatedNotNamed) {
+  Scenario scenario;
+  scenario.outside = [](const PhysicsContext& c, int row, Eigen::VectorXd* delta) {
+    const double x = (c.recording().q(row, 2) / kDegree - 15) / 10;
+    (*delta)[c.slots().joint(2, JointSlot::kTheta)] += 0.6e-3 * std::exp(-0.5 * x * x);
+  };
+  const Draw draw = MakeDraw(scenario, 8);
+  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::kUnexplained) << d.summary;
+  ASSERT_TRUE(d.unexplained.has_value());
+  EXPECT_EQ(d.unexplained->slot, "theta3");
+  EXPECT_EQ(d.unexplained->driver, "q3");
+  EXPECT_GE(d.unexplained->curve.size(), 5);
+}
+
+TEST(Diagnose, AnUnknownColumnMayBeTheDriver) {
+  Draw draw = MakeDraw(Scenario(), 9);
+  // A load cell that nobody told the program about turns joint 1.
+  ExtraColumn column;
+  column.name = "load_cell";
+  column.values.resize(draw.recording.num_rows());
+  Rng rng(99);
+  const DhChain chain(draw.spec.robot);
+  PoseWithDerivatives pose;
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(chain.slots().size());
+  for (int k = 0; k < draw.recording.num_rows(); ++k) {
+    column.values[k] = rng.Uniform(0, 100);
+    chain.PoseAndDerivatives(draw.recording.q.row(k).transpose(),
+                             zero,
+                             {draw.spec.robot.X_WB, draw.spec.robot.X_TQ},
+                             &pose);
+    draw.recording.p_WQ.row(k) += 3e-6 * column.values[k] * pose.J_p.col(0).transpose();
+  }
+  draw.recording.extra.push_back(column);
+  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::kUnexplained) << d.summary;
+  ASSERT_TRUE(d.unexplained.has_value());
+  EXPECT_EQ(d.unexplained->driver, "column load_cell");
+  EXPECT_EQ(d.unexplained->slot, "theta1");
+}
+
+TEST(Diagnose, TheOrderOfTheRowsDoesNotMatterWhereNothingDependsOnIt) {
+  const Draw draw = MakeDraw(With(Compliance2()), 10);
+  Recording reversed = draw.recording;
+  reversed.q = draw.recording.q.colwise().reverse();
+  reversed.p_WQ = draw.recording.p_WQ.colwise().reverse();
+  const DiagnosisResult a = DiagnoseDraw(draw.spec, draw.recording);
+  const DiagnosisResult b = DiagnoseDraw(draw.spec, reversed);
+  EXPECT_EQ(a.verdict, b.verdict);
+  ASSERT_EQ(a.findings.size(), b.findings.size());
+  EXPECT_NEAR(a.findings[0].parameters[0].value,
+              b.findings[0].parameters[0].value,
+              1e-3 * a.findings[0].parameters[0].sigma);
+}
+
+TEST(WantsDiagnosis, NotOfSimulationsWithoutNoise) {
+  ProblemSpec spec;
+  Result result;
+  EXPECT_FALSE(WantsDiagnosis(spec, result)) << "no usable fit";
+  result.fits.emplace_back();
+  result.best_fit = 0;
+  result.fits[0].rms = 1e-12;
+  EXPECT_FALSE(WantsDiagnosis(spec, result));
+  result.fits[0].rms = 1e-5;
+  EXPECT_TRUE(WantsDiagnosis(spec, result));
+  spec.diagnosis.run = DiagnosisRun::kNever;
+  EXPECT_FALSE(WantsDiagnosis(spec, result));
+}
+
+/// Every effect of the library, several times its usual size, on a recording with all columns.
+class OwnData : public testing::TestWithParam<const Effect*> {};
+
+TEST_P(OwnData, IsNamedOrListedAndRecoveredWithinItsInterval) {
+  if (kSanitized) GTEST_SKIP() << "too slow with sanitizers; the other tests run the same code";
+  constexpr double kSizes = 3;  // usual sizes
+  const Effect& effect = *GetParam();
+  const std::string name = effect.Describe().name;
+  Scenario scenario;
+  scenario.poses = 150;
+  Draw draw = MakeDraw(scenario, 20);
+  Recording& recording = draw.recording;
+  const int n = recording.num_rows();
+  Rng rng(21);
+  recording.time.resize(n);
+  recording.temperature.resize(n, 1);
+  recording.speed.resize(n, 6);
+  recording.torque.resize(n, 6);
+  for (int k = 0; k < n; ++k) {
+    recording.time[k] = 60.0 * k;
+    recording.temperature(k, 0) = 20 + rng.Uniform(0, 10);
+    for (int j = 0; j < 6; ++j) {
+      recording.speed(k, j) = rng.Uniform(-0.5, 0.5);
+      recording.torque(k, j) = rng.Uniform(-100, 100);
+    }
+  }
+  const PhysicsContext context(draw.spec.robot, recording, {draw.spec.robot.X_WB});
+  EffectRequest request;
+  for (const EffectRequest& candidate : effect.Candidates(context)) {
+    if (!effect.NotTestable(context, candidate).empty()) continue;
+    request = candidate;
+    if (candidate.joint >= 2) break;
+  }
+  ASSERT_EQ(request.effect, name);
+  const DhChain chain(draw.spec.robot);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(chain.slots().size());
+  const auto columns = effect.Columns(context, request);
+  const EndFrames ends{draw.spec.robot.X_WB, draw.spec.robot.X_TQ};
+  for (int k = 0; k < n; ++k) {
+    Eigen::VectorXd delta = zero;
+    for (const EffectColumn& column : columns) {
+      for (const SlotWeights& weights : column.slots) {
+        delta[weights.slot] += kSizes * column.typical * weights.weight[k];
+      }
+    }
+    const Eigen::VectorXd q = recording.q.row(k);
+    const Eigen::Vector3d moved = chain.Pose<double>(q, delta, ends).translation() -
+                                  chain.Pose<double>(q, zero, ends).translation();
+    recording.p_WQ.row(k) += moved.transpose();
+  }
+  const DiagnosisResult d = DiagnoseDraw(draw.spec, recording);
+  EXPECT_TRUE(d.verdict == DiagnosisVerdict::kExplained ||
+              d.verdict == DiagnosisVerdict::kAmbiguous)
+      << ToString(d.verdict) << ": " << d.summary;
+  bool listed = false;
+  for (const Finding& f : d.findings) {
+    const bool own = f.effect.effect == name && f.effect.joint == request.joint;
+    listed = listed || own;
+    for (const Confusable& other : f.confusable_with) {
+      listed = listed || (other.effect.effect == name && other.effect.joint == request.joint);
+    }
+    if (!own) continue;
+    const double expected = kSizes * columns.front().typical;
+    // Settings are found to a finite resolution, so a little more than the interval.
+    EXPECT_NEAR(
+        f.parameters[0].value, expected, 4 * f.parameters[0].sigma + 0.05 * std::abs(expected));
+  }
+  EXPECT_TRUE(listed) << d.summary;
+}
+
+std::vector<const Effect*> Physics() {
+  std::vector<const Effect*> physics;
+  for (const Effect* const effect : AllEffects()) {
+    const std::string name = effect->Describe().name;
+    // Geometry is tested above; a scale is never visible.
+    if (name == "axis_tilt" || name == "base_frame" || name == "tool_offset") continue;
+    if (name != "sensor_scale") physics.push_back(effect);
+  }
+  return physics;
+}
+
+INSTANTIATE_TEST_SUITE_P(Library, OwnData, testing::ValuesIn(Physics()), [](const auto& param) {
+  return param.param->Describe().name;
+});
+
+}  // namespace
+}  // namespace dhcal
