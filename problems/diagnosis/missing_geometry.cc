@@ -10,6 +10,7 @@
 
 #include "core/math/statistics.h"
 #include "core/physics/registry.h"
+#include "problems/assembly.h"
 #include "problems/diagnosis/design_rows.h"
 #include "problems/diagnosis/projection.h"
 #include "problems/fit_analysis.h"
@@ -136,7 +137,12 @@ void AddMissingGeometry(const ProblemSpec& spec,
   const Eigen::VectorXd zero =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(user.parameters.size()));
   const DesignRows rows(user, zero, complete.fit.noise_seen, user.readings.fitted);
-  Eigen::MatrixXd U = OrthonormalBasis(rows.Geometry(user.parameters));
+  // Only what the file's fit can move within the tolerances: near parallel axes plain DH rows can
+  // imitate a tilt, with corrections of metres.
+  Eigen::MatrixXd J_user = rows.Geometry(user.parameters);
+  const Eigen::VectorXd tolerance = ScalesOf(user.parameters).tolerance;
+  J_user.leftCols(tolerance.size()) = J_user.leftCols(tolerance.size()).eval() * tolerance.asDiagonal();
+  Eigen::MatrixXd U = BasisAbove(J_user, 1.0);
   Eigen::VectorXd y = ProjectOff(U, rows.y());
   const bool sigma_known = SourceOfNoise(user).all_given();
   std::vector<bool> used(completions.size(), false);

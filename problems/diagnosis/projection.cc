@@ -16,6 +16,22 @@ constexpr double kZeroColumn = 1e-7;    // of the longest column
 constexpr double kOutlier = 4.5;        // standard deviations
 constexpr double kMostOutliers = 0.05;  // of all readings
 
+/// Left singular vectors of A above a cut, through a QR.
+Eigen::MatrixXd Basis(const Eigen::MatrixXd& A, double cut, bool relative) {
+  if (A.cols() == 0) return Eigen::MatrixXd(A.rows(), 0);
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(A);
+  const Eigen::MatrixXd R =
+      qr.matrixQR().topRows(std::min(A.cols(), A.rows())).triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(R, Eigen::ComputeThinU);
+  const double above = relative ? cut * svd.singularValues()[0] : cut;
+  Eigen::Index rank = 0;
+  while (rank < svd.singularValues().size() && svd.singularValues()[rank] > above) ++rank;
+  Eigen::MatrixXd U = Eigen::MatrixXd::Zero(A.rows(), rank);
+  U.topRows(svd.matrixU().rows()) = svd.matrixU().leftCols(rank);
+  U.applyOnTheLeft(qr.householderQ());
+  return U;
+}
+
 }  // namespace
 
 Eigen::MatrixXd OrthonormalBasis(const Eigen::MatrixXd& J, double relative_cut) {
@@ -27,20 +43,11 @@ Eigen::MatrixXd OrthonormalBasis(const Eigen::MatrixXd& J, double relative_cut) 
   }
   if (used.empty()) return Eigen::MatrixXd(J.rows(), 0);
   const Eigen::MatrixXd scaled = J(Eigen::all, used) * norms(used).cwiseInverse().asDiagonal();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(scaled);
-  const Eigen::Index cols = scaled.cols();
-  const Eigen::MatrixXd R =
-      qr.matrixQR().topRows(std::min(cols, J.rows())).triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(R, Eigen::ComputeThinU);
-  Eigen::Index rank = 0;
-  while (rank < svd.singularValues().size() &&
-         svd.singularValues()[rank] > relative_cut * svd.singularValues()[0]) {
-    ++rank;
-  }
-  Eigen::MatrixXd U = Eigen::MatrixXd::Zero(J.rows(), rank);
-  U.topRows(svd.matrixU().rows()) = svd.matrixU().leftCols(rank);
-  U.applyOnTheLeft(qr.householderQ());
-  return U;
+  return Basis(scaled, relative_cut, /*relative=*/true);
+}
+
+Eigen::MatrixXd BasisAbove(const Eigen::MatrixXd& A, double cut) {
+  return Basis(A, cut, /*relative=*/false);
 }
 
 std::vector<bool> FlagOutliers(const Eigen::VectorXd& y,

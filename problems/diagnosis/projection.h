@@ -15,6 +15,10 @@ namespace dhcal {
 /// up would make directions out of nothing (physics.md B.2).
 Eigen::MatrixXd OrthonormalBasis(const Eigen::MatrixXd& J, double relative_cut = 1e-7);
 
+/// Orthonormal basis of the directions of A whose singular value exceeds `cut`. With columns in
+/// tolerances and rows in noise and a cut of 1: what a fit by the noise rule can move.
+Eigen::MatrixXd BasisAbove(const Eigen::MatrixXd& A, double cut);
+
 /// v without what lies in the basis.
 template <typename Derived>
 Eigen::MatrixXd ProjectOff(const Eigen::MatrixXd& U, const Eigen::MatrixBase<Derived>& v) {

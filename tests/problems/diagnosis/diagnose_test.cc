@@ -129,7 +129,12 @@ TEST(Diagnose, FindsAMeshOrderThatItWasNotTold) {
 }
 
 TEST(Diagnose, AMissingTiltIsNamedAsGeometry) {
-  const Draw draw = MakeDraw(Scenario(), 6);
+  Scenario tilted;
+  tilted.truth.resize(1);
+  tilted.truth[0].effect = "axis_tilt";
+  tilted.truth[0].joint = 2;
+  tilted.truth[0].values["tilt"] = 1.5e-3;  // a draw's own is 0.4 mrad on average
+  const Draw draw = MakeDraw(tilted, 6);
   ProblemSpec spec = draw.spec;
   spec.parameters.estimate = {"theta", "alpha", "a", "d", "base", "tool"};
   const DiagnosisResult d = DiagnoseDraw(spec, draw.recording);
