@@ -26,7 +26,7 @@ namespace dhcal {
 namespace {
 
 // Rows beyond this are thinned for the search (not for the fits).
-constexpr std::size_t kMostReadings = 20000;
+constexpr std::size_t kMostReadings = 6000;
 constexpr int kOutlierRounds = 3;
 constexpr int kDraws = 2000;
 

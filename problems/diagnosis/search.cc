@@ -162,13 +162,14 @@ class Searcher {
         if (BestAddition(members).size() == members.size()) break;
         continue;
       }
-      members = tester_.Polished(more.size() <= kMostExchanged ? WithSwaps(more) : more);
+      members = more.size() <= kMostExchanged ? tester_.Polished(WithSwaps(more)) : more;
       const TestedSet set = tester_.Try(members, /*rescan=*/true);
       out->p_accepted = set.p;
       if (!set.kept) continue;
       out->complete = true;
       break;
     }
+    if (members.size() > kMostExchanged) members = tester_.Polished(members);
     if (out->complete) members = Needed(members, out);
     out->accepted = members;
     if (members.empty()) return;
