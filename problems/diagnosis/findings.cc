@@ -183,6 +183,10 @@ std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,
       finding.effect = effects[i];
       std::vector<EffectValue> values;
       AddParameters(columns[i], after, estimates, &finding, &values);
+      if (!effect.ShapeErrors(context, effects[i]).empty()) {
+        finding.cautions.push_back(
+            "its size rests on the masses of the problem file and is wrong by as much as they are");
+      }
       finding.sentence +=
           (finding.sentence.empty() ? "" : "; ") + effect.Sentence(effects[i], values);
       own.insert(own.end(), columns[i].begin(), columns[i].end());

@@ -141,7 +141,8 @@ void AddMissingGeometry(const ProblemSpec& spec,
   // imitate a tilt, with corrections of metres.
   Eigen::MatrixXd J_user = rows.Geometry(user.parameters);
   const Eigen::VectorXd tolerance = ScalesOf(user.parameters).tolerance;
-  J_user.leftCols(tolerance.size()) = J_user.leftCols(tolerance.size()).eval() * tolerance.asDiagonal();
+  J_user.leftCols(tolerance.size()) =
+      J_user.leftCols(tolerance.size()).eval() * tolerance.asDiagonal();
   Eigen::MatrixXd U = BasisAbove(J_user, 1.0);
   Eigen::VectorXd y = ProjectOff(U, rows.y());
   const bool sigma_known = SourceOfNoise(user).all_given();

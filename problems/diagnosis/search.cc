@@ -35,7 +35,7 @@ class Searcher {
     tester_.AddRefined({});
     tester_.Rebuild();
     TrySingles(&out);
-    if (out.accepted.empty()) TrySets(&out);
+    if (out.accepted.empty() && !TryAnonymous(&out)) TrySets(&out);
     DescribeRest(&out);
     out.scores = tester_.tests().Scores({});
     return out;
@@ -74,6 +74,46 @@ class Searcher {
       out->accepted = set.members;
       out->p_accepted = set.p;
       out->complete = true;
+    }
+  }
+
+  /// One anonymous cause that leaves nothing is more likely than a set of names that do: a damaged
+  /// tooth is not three gear errors. Functions of a torque are left to the names. True when there
+  /// is one; the best becomes the description.
+  bool TryAnonymous(SearchOutcome* out) const {
+    double best = -1e300;
+    for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
+      const Hypothesis& h = at(k);
+      if (h.named || !h.in_maximum || h.driver.find("torque") != std::string::npos) continue;
+      if (!tester_.Try({k}, /*rescan=*/false).kept) continue;
+      const double evidence = tester_.Evidence({k});
+      if (evidence <= best) continue;
+      best = evidence;
+      out->anonymous = {k};
+    }
+    return !out->anonymous.empty();
+  }
+
+  /// Two or more names that are functions of one joint's own angle, where one curve of that angle
+  /// does as well: the joint is right, the names are not known.
+  void DropCurves(std::vector<int>* members, SearchOutcome* out) const {
+    for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
+      const Hypothesis& h = at(k);
+      if (h.named || !h.in_maximum || h.slot.rfind("theta", 0) != 0) continue;
+      if (h.driver != "q" + h.slot.substr(5)) continue;
+      std::vector<int> kept, curves;
+      for (const int m : *members) {
+        const bool own = "theta" + std::to_string(at(m).request.joint) == h.slot &&
+                         at(m).place.driver == "joint angle";
+        (own ? curves : kept).push_back(m);
+      }
+      if (CountEffects(curves) < 2) continue;
+      const TestedSet set = tester_.Try(With(kept, k), /*rescan=*/false);
+      if (!set.kept) continue;
+      *members = kept;
+      out->anonymous.push_back(k);
+      out->complete = false;
+      out->p_accepted = set.p;
     }
   }
 
@@ -171,6 +211,7 @@ class Searcher {
     }
     if (members.size() > kMostExchanged) members = tester_.Polished(members);
     if (out->complete) members = Needed(members, out);
+    if (out->complete) DropCurves(&members, out);
     out->accepted = members;
     if (members.empty()) return;
     out->tested.push_back({members, out->p_accepted, out->complete});
@@ -219,6 +260,9 @@ class Searcher {
     out->removed_by_names = tests.Removed(model);
     out->removed_by_all = out->removed_by_names;
     if (out->complete) return;
+    for (const int block : out->anonymous) {
+      for (const int column : tests.Columns(block)) model.columns.push_back(column);
+    }
     const auto count = static_cast<double>(space_->all().size());
     while (static_cast<int>(out->anonymous.size()) < kMostAnonymous) {
       const std::vector<BlockScore> scores = tests.Scores(model);

@@ -73,7 +73,12 @@ Eigen::MatrixXd SetTester::BasisOf(const std::vector<int>& members) const {
 }
 
 std::vector<SpectralPeak> SetTester::Scan(const std::vector<int>& members) const {
-  const Eigen::MatrixXd extra = BasisOf(members);
+  // What wrong masses leave of an effect is no line either.
+  std::vector<int> with_shapes = members;
+  for (const int k : members) {
+    if (at(k).shape_block >= 0) with_shapes.push_back(at(k).shape_block);
+  }
+  const Eigen::MatrixXd extra = BasisOf(with_shapes);
   Eigen::MatrixXd basis(space_->y().size(), space_->U().cols() + extra.cols());
   basis << space_->U(), extra;
   return ScanOrders(space_->context(),

@@ -14,8 +14,9 @@ namespace dhcal {
 
 /// Orders are scanned up to twice the highest usual gear ratio (161): a wave generator's mesh.
 constexpr double kHighestOrder = 330;
-/// Below, the fixed orders 1 and 2 of gear_harmonic stand for all that is smooth.
-constexpr double kLowestOrder = 2.5;
+/// Below, orders 1 and 2 of gear_harmonic are the only lines that are named: a sine of order 2.3,
+/// say, imitates any bump of a smooth function, and no gear has it.
+constexpr double kLowestOrder = 8;
 
 struct SpectralPeak {
   int joint = -1;     // from 0
