@@ -45,7 +45,9 @@ std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
   return result;
 }
 
-Eigen::MatrixXd GeometryBasis(const CompleteFit& fit, const std::vector<Reading>& readings) {
+Eigen::MatrixXd GeometryBasis(const CompleteFit& fit,
+                              const std::vector<Reading>& readings,
+                              double rho) {
   const Calibration& c = fit.calibration;
   std::vector<Parameter> geometry;
   Eigen::VectorXd state = fit.state();
@@ -56,14 +58,19 @@ Eigen::MatrixXd GeometryBasis(const CompleteFit& fit, const std::vector<Reading>
       state[static_cast<Eigen::Index>(k)] = 0;
     }
   }
-  return OrthonormalBasis(DesignRows(c, state, fit.fit.noise_seen, readings).Geometry(geometry));
+  DesignRows rows(c, state, fit.fit.noise_seen, readings);
+  if (rho != 0) rows.WhitenSerially(rho);
+  return OrthonormalBasis(rows.Geometry(geometry));
 }
 
-Eigen::MatrixXd ModelBasis(const CompleteFit& fit, const std::vector<Reading>& readings) {
+Eigen::MatrixXd ModelBasis(const CompleteFit& fit,
+                           const std::vector<Reading>& readings,
+                           double rho) {
   const Calibration& c = fit.calibration;
-  const Eigen::MatrixXd U = GeometryBasis(fit, readings);
+  const Eigen::MatrixXd U = GeometryBasis(fit, readings, rho);
   if (c.effect_columns.empty()) return U;
-  const DesignRows rows(c, fit.state(), fit.fit.noise_seen, readings);
+  DesignRows rows(c, fit.state(), fit.fit.noise_seen, readings);
+  if (rho != 0) rows.WhitenSerially(rho);
   Eigen::MatrixXd X(rows.num_rows(), static_cast<Eigen::Index>(c.effect_columns.size()));
   for (std::size_t k = 0; k < c.effect_columns.size(); ++k) {
     X.col(static_cast<Eigen::Index>(k)) = rows.Column(c.effect_columns[k].slots);

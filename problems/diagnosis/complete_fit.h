@@ -36,10 +36,15 @@ std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
 /// Orthonormal basis of what the geometry can do to the whitened rows of `readings`. Taken at zero
 /// effects: a step of the tool, say, would make a hidden direction of the geometry (theta6 against
 /// the tool) faintly visible, and that direction would then swallow the rest of the step.
-Eigen::MatrixXd GeometryBasis(const CompleteFit& fit, const std::vector<Reading>& readings);
+/// `rho` != 0: serially whitened rows.
+Eigen::MatrixXd GeometryBasis(const CompleteFit& fit,
+                              const std::vector<Reading>& readings,
+                              double rho = 0);
 
 /// The same with the columns of the effects that are switched on.
-Eigen::MatrixXd ModelBasis(const CompleteFit& fit, const std::vector<Reading>& readings);
+Eigen::MatrixXd ModelBasis(const CompleteFit& fit,
+                           const std::vector<Reading>& readings,
+                           double rho = 0);
 
 /// Values of the effects' parameters with the whole geometry free (the solver's own rule may hold
 /// weak directions back), in the order of the calibration's effect columns, and their covariance.

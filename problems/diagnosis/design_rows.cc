@@ -1,5 +1,6 @@
 #include "problems/diagnosis/design_rows.h"
 
+#include <cmath>
 #include <map>
 
 #include <glog/logging.h>
@@ -144,6 +145,24 @@ void DesignRows::AddSeries(const Eigen::VectorXd& state,
   }
   inverse_sigma_ = Eigen::Map<Eigen::VectorXd>(inverse_sigma.data(),
                                                static_cast<Eigen::Index>(inverse_sigma.size()));
+}
+
+void DesignRows::WhitenSerially(double rho) {
+  CHECK(CanWhiten());
+  const double scale = 1 / std::sqrt(1 - rho * rho);
+  before_ = Eigen::MatrixXd::Zero(now_.rows(), now_.cols());
+  before_row_ = now_row_;
+  // From the end, so that the row before is still the original.
+  for (int k = num_rows() - 1; k >= coordinates_; --k) {
+    const int previous = k - coordinates_;
+    const int row = now_row_[static_cast<std::size_t>(k)];
+    const int row_before = now_row_[static_cast<std::size_t>(previous)];
+    if (c_.recording.run(row) != c_.recording.run(row_before)) continue;
+    before_.row(k) = rho * scale * now_.row(previous);
+    before_row_[static_cast<std::size_t>(k)] = row_before;
+    now_.row(k) *= scale;
+    y_[k] = scale * (y_[k] - rho * y_[previous]);
+  }
 }
 
 Eigen::VectorXd DesignRows::Column(const std::vector<SlotWeights>& slots) const {

@@ -27,6 +27,11 @@ class DesignRows {
              const Noise& noise,
              const std::vector<Reading>& readings);
 
+  /// Takes out a lag-1 correlation of the readings' errors within runs (AR(1), Prais and Winsten
+  /// 1954). Only for readings of one pose each: see CanWhiten.
+  void WhitenSerially(double rho);
+  bool CanWhiten() const { return before_.rows() == 0 && num_series_ == 0; }
+
   int num_rows() const { return static_cast<int>(y_.size()); }
   /// Coordinates per reading; rows come reading by reading.
   int coordinates() const { return coordinates_; }

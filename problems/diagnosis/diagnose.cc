@@ -29,6 +29,9 @@ namespace {
 constexpr std::size_t kMostReadings = 6000;
 constexpr int kOutlierRounds = 3;
 constexpr int kDraws = 2000;
+constexpr double kWorthWhitening = 0.1;  // smallest serial correlation that is taken out
+constexpr double kWhitenSigmas = 4;
+constexpr double kMostCorrelation = 0.95;
 
 /// The rows of a fit without the readings that lie off, and the geometry taken out.
 struct CleanRows {
@@ -39,6 +42,35 @@ struct CleanRows {
   Eigen::VectorXd y;
   double nu = 0;
 };
+
+/// Takes a lag-1 correlation out of rows that are clean already.
+void Whiten(const CompleteFit& fit, double rho, CleanRows* clean) {
+  clean->rows->WhitenSerially(rho);
+  clean->U = ModelBasis(fit, clean->readings, rho);
+  clean->y = ProjectOff(clean->U, clean->rows->y());
+}
+
+/// Lag-1 correlation, within runs, of what the accepted hypotheses leave.
+double SerialCorrelation(const CompleteFit& fit,
+                         const CleanRows& clean,
+                         const HypothesisSpace& space,
+                         const std::vector<int>& accepted) {
+  Eigen::VectorXd y = clean.y;
+  for (const int k : accepted) {
+    y = ProjectOff(OrthonormalBasis(space.Projected(k), 1e-6), y);
+  }
+  const Recording& recording = fit.calibration.recording;
+  const int coordinates = clean.rows->coordinates();
+  double product = 0, square = 0;
+  for (Eigen::Index k = coordinates; k < y.size(); ++k) {
+    const int row = clean.rows->now_row()[static_cast<std::size_t>(k)];
+    const int before = clean.rows->now_row()[static_cast<std::size_t>(k - coordinates)];
+    if (recording.run(row) != recording.run(before)) continue;
+    product += y[k] * y[k - coordinates];
+    square += y[k] * y[k];
+  }
+  return square > 0 ? product / square : 0;
+}
 
 CleanRows Clean(const CompleteFit& fit, std::vector<Reading> readings) {
   CleanRows clean;
@@ -159,21 +191,38 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
                     c.readings.fitted.size()));
   }
   const PhysicsContext context = c.Context();
-  HypothesisSpace space(context, *clean.rows, clean.U, clean.y);
-  Populate(spec, &space, &d);
   SearchOptions options;
   options.false_alarm = spec.diagnosis.false_alarm;
   options.sigma_known = SourceOfNoise(c).all_given();
   options.nu = clean.nu;
   options.effects = spec.diagnosis.effects;
   options.draws = kDraws;
-  say(fmt::format("{} hypotheses and map cells", space.all().size()));
-  const SearchOutcome outcome = Search(options, &space);
+  auto space = std::make_unique<HypothesisSpace>(context, *clean.rows, clean.U, clean.y);
+  Populate(spec, space.get(), &d);
+  say(fmt::format("{} hypotheses and map cells", space->all().size()));
+  SearchOutcome outcome = Search(options, space.get());
+  const double rho = SerialCorrelation(*before, clean, *space, outcome.accepted);
+  const double significant =
+      std::max(kWorthWhitening, kWhitenSigmas / std::sqrt(static_cast<double>(clean.y.size())));
+  if (!outcome.consistent && rho > significant && clean.rows->CanWhiten()) {
+    say(fmt::format("again with the readings' serial correlation of {:.2f} taken out", rho));
+    d.notes.push_back(fmt::format(
+        "What is left of neighbouring readings correlates ({:.2f}); it was taken out as serial "
+        "noise before the search, so that slow noise is not taken for a drift or a step.",
+        rho));
+    Whiten(*before, std::min(rho, kMostCorrelation), &clean);
+    d.not_testable.clear();
+    space = std::make_unique<HypothesisSpace>(context, *clean.rows, clean.U, clean.y);
+    Populate(spec, space.get(), &d);
+    // A correlated noise is not of the size that an independent one would have.
+    options.sigma_known = false;
+    outcome = Search(options, space.get());
+  }
   DescribeMisfit(*before, clean, outcome, &d);
 
   std::vector<EffectRequest> names;
   for (const int k : outcome.accepted) {
-    names.push_back(space.all()[static_cast<std::size_t>(k)].request);
+    names.push_back(space->all()[static_cast<std::size_t>(k)].request);
   }
   if (!names.empty()) {
     say(fmt::format("refit with {} effects", names.size()));
@@ -192,7 +241,7 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
     }
   }
   say("what is hidden");
-  Conclude(*before, space, outcome, &d);
+  Conclude(*before, *space, outcome, &d);
   d.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return d;
 }

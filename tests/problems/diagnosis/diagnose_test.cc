@@ -213,6 +213,25 @@ TEST(Diagnose, TheOrderOfTheRowsDoesNotMatterWhereNothingDependsOnIt) {
               1e-3 * a.findings[0].parameters[0].sigma);
 }
 
+TEST(Diagnose, SeriallyCorrelatedNoiseIsNoDriftAndNoStep) {
+  // AR(1) noise of rho 0.6: as white noise it would be rejected at once.
+  int accused = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Draw draw = MakeDraw(Scenario(), 40 + seed);
+    draw.spec.measurement.sigma.reset();
+    Rng rng(seed);
+    Eigen::RowVector3d error = Eigen::RowVector3d::Zero();
+    for (int k = 0; k < draw.recording.num_rows(); ++k) {
+      const Eigen::RowVector3d fresh(rng.Normal(), rng.Normal(), rng.Normal());
+      error = 0.6 * error + 0.8 * 0.1e-3 * fresh;
+      draw.recording.p_WQ.row(k) += error;
+    }
+    const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+    accused += d.findings.empty() ? 0 : 1;
+  }
+  EXPECT_LE(accused, 1);
+}
+
 TEST(WantsDiagnosis, NotOfSimulationsWithoutNoise) {
   ProblemSpec spec;
   Result result;
