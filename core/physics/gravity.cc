@@ -11,11 +11,12 @@
 namespace dhcal {
 namespace {
 
-constexpr double kMassError = 0.3;       // of the nominal mass
-constexpr double kCentreError = 0.05;    // [m]
-constexpr double kPayloadError = 2.0;    // [kg]
-constexpr double kTypicalMass = 20.0;    // [kg] of a link
-constexpr double kTypicalMoment = 10.0;  // [kg m]
+constexpr double kMassError = 0.3;     // of the nominal mass
+constexpr double kCentreError = 0.05;  // [m]
+constexpr double kPayloadError = 2.0;  // [kg]
+// Usual mass [kg] and moment [kg m] of links 1 to 3, and of the wrist's.
+constexpr double kTypicalMass = 20.0, kTypicalMoment = 10.0;
+constexpr double kTypicalWristMass = 4.0, kTypicalWristMoment = 0.5;
 constexpr double kSmallestTorque = 1.0;  // [N m] spread that counts as a load, of 10 kg links
 constexpr int kBasisPoses = 120;
 constexpr double kRankTolerance = 1e-9;
@@ -59,14 +60,14 @@ std::vector<MassCase> UnitCases(const PhysicsContext& context, int joint) {
       MassCase moment = Empty(context);
       moment.name = fmt::format("link{}_{}", link + 1, kAxisNames[axis]);
       moment.unit = "kg m";
-      moment.typical = kTypicalMoment;
+      moment.typical = link < 3 ? kTypicalMoment : kTypicalWristMoment;
       moment.moment(axis, link) = 1;
       cases.push_back(moment);
     }
     MassCase mass = Empty(context);
     mass.name = fmt::format("link{}_mass", link + 1);
     mass.unit = "kg";
-    mass.typical = kTypicalMass;
+    mass.typical = link < 3 ? kTypicalMass : kTypicalWristMass;
     mass.mass[link] = 1;
     cases.push_back(mass);
   }
