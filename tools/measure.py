@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures wall time and peak memory of ceres_dhcal on whole problems.
 
-  tools/measure.py [--program build/release/bin/ceres_dhcal] [--repeat 5] [PROBLEM.yaml ...]
+  tools/measure.py [--program build/release/bin/ceres_dhcal] [--repeat 5] [--diagnosis never] [PROBLEM.yaml ...]
 
 Without problems: problems/kr15.yaml, and the UR10 series when DHCAL_DATA is set. Prints the best and
 the median of the runs, and the bar of each case where there is one.
@@ -20,10 +20,10 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BARS = {"kr15": (0.2, None), "ur10_ipa_a": (3.0, 300.0)}  # seconds, MB
 
 
-def run_once(program, problem, out):
+def run_once(program, problem, out, diagnosis):
     """Runs the program; returns (seconds, peak MB, exit status)."""
     begin = time.perf_counter()
-    child = subprocess.Popen([program, "--quiet", "--problem", problem, "--out", out])
+    child = subprocess.Popen([program, "--quiet", "--diagnosis", diagnosis, "--problem", problem, "--out", out])
     _, status, usage = os.wait4(child.pid, 0)
     seconds = time.perf_counter() - begin
     child.returncode = os.waitstatus_to_exitcode(status)
@@ -34,6 +34,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", default=str(ROOT / "build/release/bin/ceres_dhcal"))
     parser.add_argument("--repeat", type=int, default=5)
+    parser.add_argument("--diagnosis", default="never", help="never (default), auto or always")
     parser.add_argument("problems", nargs="*")
     options = parser.parse_args()
     if not os.access(options.program, os.X_OK):
@@ -46,7 +47,7 @@ def main():
     for problem in problems:
         name = pathlib.Path(problem).stem
         with tempfile.TemporaryDirectory() as folder:
-            runs = [run_once(options.program, problem, folder + "/out")
+            runs = [run_once(options.program, problem, folder + "/out", options.diagnosis)
                     for _ in range(options.repeat)]
         seconds = [run[0] for run in runs]
         bar_seconds, bar_memory = BARS.get(name, (None, None))

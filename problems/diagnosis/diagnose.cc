@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <string>
@@ -136,6 +137,60 @@ void Populate(const ProblemSpec& spec, HypothesisSpace* space, DiagnosisResult* 
   for (const MapBlock& block : MapBlocks(context)) space->AddMap(block);
 }
 
+/// True if a finding stands for a request: its own, or another line of its joint's gear.
+bool StandsFor(const Finding& finding, const EffectRequest& request) {
+  if (finding.effect.SameAs(request)) return true;
+  return request.effect == "gear_harmonic" && finding.effect.effect == request.effect &&
+         finding.effect.joint == request.joint;
+}
+
+/// Fits the names together with the geometry and takes back those that rows not fitted speak
+/// against, until all that are left predict them. True if any was taken back.
+bool RefitAndJudge(const ProblemSpec& spec,
+                   const Recording& recording,
+                   const Calibration& c,
+                   const CleanRows& clean,
+                   std::vector<EffectRequest> names,
+                   const Progress& say,
+                   DiagnosisResult* d) {
+  std::vector<Reading> fitted;
+  const std::set<int> off(clean.outliers.begin(), clean.outliers.end());
+  for (const Reading& reading : c.readings.fitted) {
+    if (off.count(reading.row_idx) == 0) fitted.push_back(reading);
+  }
+  const auto before = FitComplete(spec, recording, {}, &fitted, {});
+  if (!before->usable()) return true;
+  bool withdrawn = false;
+  while (!names.empty()) {
+    say(fmt::format("refit with {} effects", names.size()));
+    const auto after = FitComplete(spec, recording, names, &fitted, {});
+    if (!after->usable()) {
+      d->notes.push_back("The fit with the named effects failed: " + after->fit.summary.message);
+      return true;
+    }
+    std::vector<Finding> findings = DescribeFindings(names, *before, *after, d);
+    // The one that hurts the prediction most goes first: the others may then predict better.
+    const auto worst = std::min_element(findings.begin(), findings.end(), [](auto& a, auto& b) {
+      return a.delta_log_predictive < b.delta_log_predictive;
+    });
+    if (worst->delta_log_predictive >= 0 && d->rms_test_after < d->rms_test_before) {
+      std::move(findings.begin(), findings.end(), std::back_inserter(d->findings));
+      d->moved = MovedParameters(*before, *after);
+      return withdrawn;
+    }
+    withdrawn = true;
+    d->notes.push_back(fmt::format(
+        "{} fits the rows but does not help to predict rows left out; it was withdrawn.",
+        InstanceName(worst->effect)));
+    const Finding gone = *worst;
+    names.erase(
+        std::remove_if(
+            names.begin(), names.end(), [&](const EffectRequest& e) { return StandsFor(gone, e); }),
+        names.end());
+  }
+  return withdrawn;
+}
+
 void DescribeMisfit(const CompleteFit& fit,
                     const CleanRows& clean,
                     const SearchOutcome& outcome,
@@ -224,24 +279,9 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   for (const int k : outcome.accepted) {
     names.push_back(space->all()[static_cast<std::size_t>(k)].request);
   }
-  if (!names.empty()) {
-    say(fmt::format("refit with {} effects", names.size()));
-    std::vector<Reading> fitted;
-    const std::set<int> off(clean.outliers.begin(), clean.outliers.end());
-    for (const Reading& reading : c.readings.fitted) {
-      if (off.count(reading.row_idx) == 0) fitted.push_back(reading);
-    }
-    const auto clean_before = FitComplete(spec, recording, {}, &fitted, progress);
-    const auto after = FitComplete(spec, recording, names, &fitted, progress);
-    if (after->usable() && clean_before->usable()) {
-      for (Finding& finding : DescribeFindings(names, *clean_before, *after, &d)) {
-        d.findings.push_back(std::move(finding));
-      }
-      d.moved = MovedParameters(*clean_before, *after);
-    }
-  }
+  const bool withdrawn = !names.empty() && RefitAndJudge(spec, recording, c, clean, names, say, &d);
   say("what is hidden");
-  Conclude(*before, *space, outcome, &d);
+  Conclude(*before, *space, outcome, withdrawn, &d);
   d.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return d;
 }

@@ -227,11 +227,19 @@ void AddUnexplained(const HypothesisSpace& space,
   }
   if (block < 0) return;
   d->unexplained = Curve(space, out.accepted, block, sigma_scale);
+  // What the names that are left remove, by the refit; in whitened squares.
+  const double sigma = d->misfit.noise_sigma;
+  const auto n = static_cast<double>(space.y().size());
   const double all = std::max(out.removed_by_all, 1e-300);
-  d->unexplained->fraction = std::clamp(1 - out.removed_by_names / all, 0.0, 1.0);
-  d->unexplained->rms =
-      d->misfit.noise_sigma * std::sqrt(std::max(out.removed_by_all - out.removed_by_names, 0.0) /
-                                        static_cast<double>(space.y().size()));
+  double named = 0;
+  if (std::isfinite(d->rms_train_after)) {
+    named = n *
+            (d->rms_train_before * d->rms_train_before - d->rms_train_after * d->rms_train_after) /
+            (sigma * sigma);
+  }
+  const double left = std::max(all - named, 0.0);
+  d->unexplained->fraction = std::min(left / all, 1.0);
+  d->unexplained->rms = sigma * std::sqrt(left / n);
 }
 
 void AddHidden(const CompleteFit& geometry,
@@ -254,29 +262,13 @@ void AddHidden(const CompleteFit& geometry,
   });
 }
 
-/// Physics that rows not fitted speak against is withdrawn.
-void Withdraw(DiagnosisResult* d) {
-  auto& findings = d->findings;
-  for (auto finding = findings.begin(); finding != findings.end();) {
-    if (IsPhysics(*finding) && finding->delta_log_predictive < 0) {
-      d->notes.push_back(
-          fmt::format("{} fits the rows but does not predict rows left out; it was "
-                      "withdrawn.",
-                      InstanceName(finding->effect)));
-      finding = findings.erase(finding);
-    } else {
-      ++finding;
-    }
-  }
-}
-
 std::string Names(const DiagnosisResult& d) {
   std::vector<std::string> names;
   for (const Finding& finding : d.findings) names.push_back(InstanceName(finding.effect));
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-void Decide(const SearchOutcome& out, std::size_t names_before, DiagnosisResult* d) {
+void Decide(const SearchOutcome& out, bool withdrawn, DiagnosisResult* d) {
   std::size_t physics = 0;
   bool confusable = false;
   for (const Finding& finding : d->findings) {
@@ -293,7 +285,7 @@ void Decide(const SearchOutcome& out, std::size_t names_before, DiagnosisResult*
   } else if (physics == 0) {
     d->verdict = DiagnosisVerdict::kUnexplained;
     d->summary = "something is left out that no effect of the library describes";
-  } else if (!out.complete || physics < names_before) {
+  } else if (!out.complete || withdrawn) {
     d->verdict = DiagnosisVerdict::kPartlyExplained;
     d->summary = "explained in part by " + Names(*d) + "; the rest is above the noise";
   } else if (confusable) {
@@ -311,6 +303,7 @@ void Decide(const SearchOutcome& out, std::size_t names_before, DiagnosisResult*
 void Conclude(const CompleteFit& geometry,
               const HypothesisSpace& space,
               const SearchOutcome& outcome,
+              bool withdrawn,
               DiagnosisResult* d) {
   const double sigma_scale =
       d->misfit.noise_known
@@ -318,11 +311,8 @@ void Conclude(const CompleteFit& geometry,
           : std::sqrt((space.y().squaredNorm() - outcome.removed_by_all) / d->misfit.dof);
   FillMap(space, outcome, d);
   FillHypotheses(space, outcome, d);
-  const auto names_before =
-      static_cast<std::size_t>(std::count_if(d->findings.begin(), d->findings.end(), IsPhysics));
-  Withdraw(d);
   if (outcome.complete) AddAlternatives(geometry, space, outcome, d);
-  Decide(outcome, names_before, d);
+  Decide(outcome, withdrawn, d);
   const bool rest = d->verdict == DiagnosisVerdict::kPartlyExplained ||
                     d->verdict == DiagnosisVerdict::kUnexplained;
   if (rest) AddUnexplained(space, outcome, sigma_scale, d);

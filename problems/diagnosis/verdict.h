@@ -8,11 +8,12 @@
 
 namespace dhcal {
 
-/// Withdraws findings that rows not fitted speak against, lists the alternatives, what is left and
-/// what is hidden, and says which verdict that makes.
+/// Lists the alternatives, what is left and what is hidden, and says which verdict that makes.
+/// `withdrawn`: names that fit were taken back.
 void Conclude(const CompleteFit& geometry,
               const HypothesisSpace& space,
               const SearchOutcome& outcome,
+              bool withdrawn,
               DiagnosisResult* diagnosis);
 
 }  // namespace dhcal
