@@ -53,6 +53,19 @@ std::vector<EffectRequest> EveryJoint(const PhysicsContext& context,
   return requests;
 }
 
+std::vector<EffectRequest> WithVariant(const Effect& effect,
+                                       const PhysicsContext& context,
+                                       std::vector<EffectRequest> requests,
+                                       const std::string& setting) {
+  const auto count = requests.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    EffectRequest variant = requests[k];
+    variant.settings[setting] = 1;
+    if (effect.NotTestable(context, variant).empty()) requests.push_back(variant);
+  }
+  return requests;
+}
+
 bool IsConstant(const Eigen::VectorXd& driver) {
   if (driver.size() == 0 || !driver.allFinite()) return true;
   const double spread = driver.maxCoeff() - driver.minCoeff();

@@ -26,6 +26,12 @@ std::vector<EffectRequest> EveryJoint(const PhysicsContext& context,
                                       const std::string& effect,
                                       bool revolute_only = true);
 
+/// The requests and, where they are testable, the same with a setting at 1.
+std::vector<EffectRequest> WithVariant(const Effect& effect,
+                                       const PhysicsContext& context,
+                                       std::vector<EffectRequest> requests,
+                                       const std::string& setting);
+
 /// True when a driver moves so little that it is a constant: it cannot be told from geometry.
 bool IsConstant(const Eigen::VectorXd& driver);
 

@@ -58,14 +58,7 @@ class BacklashEffect final : public Effect {
         "width", "rad", 2e-4, c.joint_slot(JointIndex(request)), 0.5 * Flank(c, request))};
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    std::vector<EffectRequest> requests = EveryJoint(c, "backlash", /*revolute_only=*/false);
-    const auto count = requests.size();
-    for (std::size_t k = 0; k < count; ++k) {
-      EffectRequest by_torque = requests[k];
-      by_torque.settings["flank"] = 1;
-      if (NotTestable(c, by_torque).empty()) requests.push_back(by_torque);
-    }
-    return requests;
+    return WithVariant(*this, c, EveryJoint(c, "backlash", /*revolute_only=*/false), "flank");
   }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& request) const override {
     return {"C4",

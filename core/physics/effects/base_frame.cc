@@ -5,76 +5,13 @@
 // Left out, it looks like physics. Typical: 0.1-10 mm. Source: physics.md X1, D19. Geometry, not
 // physics: named first.
 // Worked number: z = 2 mm adds 2 mm to base_z in every row.
-#include <cmath>
-
-#include <fmt/format.h>
-
-#include "core/physics/columns.h"
+#include "core/physics/frame_effect.h"
 
 namespace dhcal {
-namespace {
-
-const char* const kNames[] = {"x", "y", "z", "rx", "ry", "rz"};
-
-class BaseFrameEffect final : public Effect {
- public:
-  EffectDescription Describe() const override {
-    EffectDescription d{"base_frame",
-                        "the base stands elsewhere than the file says (geometry, not physics)",
-                        "base_xyz += (x, y, z), base_rxyz += (rx, ry, rz)",
-                        "x, y, z [m], rx, ry, rz [rad]",
-                        {},
-                        "",
-                        "0.1-10 mm [physics.md X1]"};
-    d.has_joint = false;
-    return d;
-  }
-  std::string NotTestable(const PhysicsContext& /*c*/,
-                          const EffectRequest& /*request*/) const override {
-    return "";
-  }
-  std::vector<EffectColumn> Columns(const PhysicsContext& c,
-                                    const EffectRequest& /*request*/) const override {
-    std::vector<EffectColumn> columns;
-    for (int k = 0; k < SlotLayout::kPerFrame; ++k) {
-      columns.push_back(SlotColumn(kNames[k],
-                                   k < 3 ? "m" : "rad",
-                                   1e-3,
-                                   c.slots().base(k),
-                                   Eigen::VectorXd::Ones(c.num_rows())));
-    }
-    return columns;
-  }
-  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override { return {}; }
-  EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
-    return {"geometry", "base", "constant"};
-  }
-  std::string Sentence(const EffectRequest& /*request*/,
-                       const std::vector<EffectValue>& values) const override {
-    std::string text = "the base stands elsewhere than the file says:";
-    for (int k = 0; k < SlotLayout::kPerFrame; ++k) {
-      const EffectValue value = Find(values, kNames[k]);
-      if (!(value.sigma > 0)) continue;
-      text += fmt::format(" {} {},", kNames[k], Quantity(value, 1e-3, k < 3 ? "mm" : "mrad"));
-    }
-    text.pop_back();
-    return text;
-  }
-  WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "base_frame";
-    example.request.values["z"] = 2e-3;
-    example.row = 1;
-    example.slot = "base_z";
-    example.expected = 2e-3;
-    return example;
-  }
-};
-
-}  // namespace
 
 const Effect& BaseFrame() {
-  static const BaseFrameEffect effect;
+  static const FrameEffect effect(
+      "base_frame", "base", "the base stands elsewhere than the file says");
   return effect;
 }
 

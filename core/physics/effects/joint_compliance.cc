@@ -85,14 +85,7 @@ class JointComplianceEffect final : public Effect {
   }
 
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    std::vector<EffectRequest> requests = EveryJoint(c, "joint_compliance");
-    const auto count = requests.size();
-    for (std::size_t k = 0; k < count; ++k) {
-      EffectRequest measured = requests[k];
-      measured.settings["measured_torque"] = 1;
-      if (NotTestable(c, measured).empty()) requests.push_back(measured);
-    }
-    return requests;
+    return WithVariant(*this, c, EveryJoint(c, "joint_compliance"), "measured_torque");
   }
 
   EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {
