@@ -178,12 +178,13 @@ bool HasMeasuredTorque(const PhysicsContext& context, int joint) {
 }
 
 Eigen::VectorXd MeasuredLoad(const PhysicsContext& context, int joint) {
-  const Eigen::VectorXd drive = -context.sign(joint) * context.recording().torque.col(joint);
+  Eigen::VectorXd drive = -context.sign(joint) * context.recording().torque.col(joint);
   if (!GravityLoads(context, joint)) return drive;
   const Eigen::VectorXd gravity = GravityTorque(context, AnyMasses(context), joint);
   const double covariance =
       (drive.array() - drive.mean()).matrix().dot((gravity.array() - gravity.mean()).matrix());
-  return covariance < 0 ? Eigen::VectorXd(-drive) : drive;
+  if (covariance < 0) drive = -drive;
+  return drive;
 }
 
 bool GravityLoads(const PhysicsContext& context, int joint) {

@@ -1,5 +1,7 @@
 #include "core/report/effect_list.h"
 
+#include <fmt/format.h>
+
 #include "core/physics/registry.h"
 #include "core/report/format.h"
 
@@ -12,7 +14,7 @@ std::string EffectList() {
       "simulation (simulate.effects) and that the diagnosis looks for. Values are in SI units.");
   for (const Effect* const effect : AllEffects()) {
     const EffectDescription d = effect->Describe();
-    text += "\n" + d.name + (d.has_joint ? "  (needs 'joint')" : "") + "\n";
+    text += fmt::format("\n{}{}\n", d.name, d.has_joint ? "  (needs 'joint')" : "");
     text += Wrap("  ", d.summary);
     text += Wrap("  formula     ", d.formula);
     text += Wrap("  parameters  ", d.parameters);

@@ -67,7 +67,7 @@ Eigen::MatrixXd ModelBasis(const CompleteFit& fit,
                            const std::vector<Reading>& readings,
                            double rho) {
   const Calibration& c = fit.calibration;
-  const Eigen::MatrixXd U = GeometryBasis(fit, readings, rho);
+  Eigen::MatrixXd U = GeometryBasis(fit, readings, rho);
   if (c.effect_columns.empty()) return U;
   DesignRows rows(c, fit.state(), fit.fit.noise_seen, readings);
   if (rho != 0) rows.WhitenSerially(rho);

@@ -38,7 +38,7 @@ class DesignRows {
   int num_readings() const { return num_rows() / coordinates_; }
   /// Row of the recording that a reading is of.
   int recording_row(int reading) const {
-    return now_row_[static_cast<std::size_t>(reading * coordinates_)];
+    return now_row_[static_cast<std::size_t>(reading) * static_cast<std::size_t>(coordinates_)];
   }
   const Eigen::VectorXd& y() const { return y_; }
 

@@ -103,9 +103,8 @@ CleanRows Clean(const CompleteFit& fit, std::vector<Reading> readings) {
 std::vector<Reading> Thinned(const std::vector<Reading>& readings) {
   if (readings.size() <= kMostReadings) return readings;
   std::vector<Reading> thinned;
-  const double step = static_cast<double>(readings.size()) / static_cast<double>(kMostReadings);
-  for (double k = 0; k < static_cast<double>(readings.size()); k += step) {
-    thinned.push_back(readings[static_cast<std::size_t>(k)]);
+  for (std::size_t k = 0; k < kMostReadings; ++k) {
+    thinned.push_back(readings[k * readings.size() / kMostReadings]);
   }
   return thinned;
 }

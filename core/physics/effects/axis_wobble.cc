@@ -26,7 +26,7 @@ class AxisWobbleEffect final : public Effect {
             "10-50 urad [physics.md X2]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (const std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     if (!c.revolute(JointIndex(request))) return "the joint is prismatic";
     return IsConstant(c.q(JointIndex(request))) ? "the joint does not move" : "";
   }

@@ -41,7 +41,7 @@ class BacklashEffect final : public Effect {
             "0.1-0.3 mrad [physics.md B1, F1]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (const std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     if (ByTorque(request)) {
       if (c.robot().links.empty()) return "the masses (robot.links) are not given";
       if (!GravityLoads(c, JointIndex(request))) return "gravity does not load this joint";

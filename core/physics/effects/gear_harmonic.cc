@@ -32,7 +32,7 @@ class GearHarmonicEffect final : public Effect {
             "0.1 mrad at N = 1; 0.02-0.15 mrad at mesh orders [physics.md G1-G3]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (const std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     if (!c.revolute(JointIndex(request))) return "the joint is prismatic";
     if (!(request.setting("order", 1) > 0)) return "the order must be positive";
     return IsConstant(c.q(JointIndex(request))) ? "the joint does not move" : "";

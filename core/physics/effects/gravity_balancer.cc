@@ -30,7 +30,7 @@ class GravityBalancerEffect final : public Effect {
   }
 
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (const std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     if (!c.revolute(JointIndex(request))) return "the joint is prismatic";
     return IsConstant(c.q(JointIndex(request))) ? "the joint does not move" : "";
   }

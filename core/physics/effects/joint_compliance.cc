@@ -43,7 +43,7 @@ class JointComplianceEffect final : public Effect {
   }
 
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (const std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     const int joint = JointIndex(request);
     if (UsesMeasuredTorque(request)) {
       if (!HasMeasuredTorque(c, joint)) return "the recording has no torque of this joint";

@@ -26,7 +26,7 @@ class JointCouplingEffect final : public Effect {
             "0.1-1 mrad/rad [physics.md W1]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (const std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     const int driver = Driver(request);
     if (driver < 0 || driver >= c.num_joints() || driver == JointIndex(request)) {
       return fmt::format("needs another joint from 1 to {} as driver_joint", c.num_joints());

@@ -27,7 +27,7 @@ class JointDriftEffect final : public Effect {
             "0.05-0.3 mrad [physics.md T1]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (const std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     return DriftNotTestable(c, request, JointIndex(request));
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,

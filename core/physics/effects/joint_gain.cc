@@ -26,7 +26,7 @@ class JointGainEffect final : public Effect {
             "0.1-1 mrad/rad [physics.md K1]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (const std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     return IsConstant(c.q(JointIndex(request))) ? "the joint does not move" : "";
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,

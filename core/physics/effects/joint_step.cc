@@ -26,7 +26,7 @@ class JointStepEffect final : public Effect {
             "0.1-1 mrad [physics.md T3]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (const std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     return StepNotTestable(c, request);
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,

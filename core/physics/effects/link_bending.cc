@@ -50,7 +50,7 @@ class LinkBendingEffect final : public Effect {
   }
 
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (const std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     const int link = JointIndex(request);
     if (c.num_rows() == 0) return "there are no rows";
     const double length =

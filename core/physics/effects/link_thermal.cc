@@ -30,7 +30,7 @@ class LinkThermalEffect final : public Effect {
             "11-23e-6 1/K; 50-250e-6 per warm-up [physics.md T1]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (const std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     const JointRow& row = c.robot().joints[static_cast<std::size_t>(JointIndex(request))];
     if (std::hypot(row.a, row.d) < 0.05) return "the link has no length";
     return DriftNotTestable(c, request, JointIndex(request));

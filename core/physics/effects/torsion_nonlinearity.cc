@@ -30,7 +30,7 @@ class TorsionNonlinearityEffect final : public Effect {
   }
 
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (const std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     const int joint = JointIndex(request);
     if (request.setting("measured_torque", 0) != 0) {
       return HasMeasuredTorque(c, joint) ? "" : "the recording has no torque of this joint";
