@@ -19,7 +19,7 @@ std::string EffectList() {
     text += Wrap("  formula     ", d.formula);
     text += Wrap("  parameters  ", d.parameters);
     for (const auto& [key, meaning] : d.settings) {
-      text += Wrap("  setting     ", key + ": " + meaning);
+      text += Wrap("  setting     ", fmt::format("{}: {}", key, meaning));
     }
     text += Wrap("  needs       ", d.needs.empty() ? "joint angles only" : d.needs);
     text += Wrap("  usual size  ", d.typical);
