@@ -214,6 +214,7 @@ TEST(Diagnose, TheOrderOfTheRowsDoesNotMatterWhereNothingDependsOnIt) {
 }
 
 TEST(Diagnose, SeriallyCorrelatedNoiseIsNoDriftAndNoStep) {
+  if (kSanitized) GTEST_SKIP() << "too slow with sanitizers; the other tests run the same code";
   // AR(1) noise of rho 0.6: as white noise it would be rejected at once.
   int accused = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
