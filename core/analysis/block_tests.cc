@@ -310,12 +310,6 @@ VectorXd BlockTests::Estimate(const BlockModel& model) const {
       .head(static_cast<Index>(model.columns.size()));
 }
 
-MatrixXd BlockTests::Covariance(const BlockModel& model) const {
-  const Root root = RootOf(model);
-  const auto hard = static_cast<Index>(model.columns.size());
-  return (root.F * root.F.transpose()).topLeftCorner(hard, hard);
-}
-
 double BlockTests::Removed(const BlockModel& model) const {
   const Root root = RootOf(model);
   return (root.F.transpose() * gram_.z(root.columns)).squaredNorm();

@@ -86,8 +86,6 @@ class BlockTests {
 
   /// Coefficients of a model's columns, in units of the columns.
   Eigen::VectorXd Estimate(const BlockModel& model) const;
-  /// Covariance of these coefficients for noise of unit variance.
-  Eigen::MatrixXd Covariance(const BlockModel& model) const;
   /// Squares that the model's columns remove.
   double Removed(const BlockModel& model) const;
 

@@ -114,7 +114,8 @@ void Populate(const ProblemSpec& spec, HypothesisSpace* space, DiagnosisResult* 
   const PhysicsContext& context = space->context();
   std::set<std::pair<std::string, std::string>> reported;
   for (const Effect* const effect : AllEffects()) {
-    for (const EffectRequest& request : effect->Candidates(context)) {
+    const std::vector<EffectRequest> candidates = effect->Candidates(context);
+    for (const EffectRequest& request : candidates) {
       const auto& active = spec.parameters.effects;
       if (std::any_of(active.begin(), active.end(), [&](const EffectRequest& e) {
             return e.SameAs(request);
@@ -128,8 +129,7 @@ void Populate(const ProblemSpec& spec, HypothesisSpace* space, DiagnosisResult* 
         d->not_testable.push_back({InstanceName(request), reason});
       }
     }
-    if (effect->Candidates(context).empty() &&
-        effect->Place(context, {}).effect_class != "geometry") {
+    if (candidates.empty() && effect->Place(context, {}).effect_class != "geometry") {
       d->not_testable.push_back({effect->Describe().name, "needs " + effect->Describe().needs});
     }
   }

@@ -127,13 +127,7 @@ HiddenRisk Elsewhere::Risk(int hypothesis,
   risk.effect = h.request;
   const std::vector<EffectColumn> columns = EffectColumns(space_.context(), h.request);
   risk.unit = columns.front().unit;
-  MatrixXd known(space_.y().size(), 0);
-  for (const int k : accepted) {
-    MatrixXd more(known.rows(), known.cols() + space_.Projected(k).cols());
-    more << known, space_.Projected(k);
-    known = more;
-  }
-  const MatrixXd basis = OrthonormalBasis(known, 1e-6);
+  const MatrixXd basis = space_.BasisOf(accepted);
   const MatrixXd raw = Raw(h.request);
   const MatrixXd X = ProjectOff(basis, space_.Projected(hypothesis));
   const double seen = X.col(0).norm();

@@ -97,6 +97,18 @@ int HypothesisSpace::AddMap(const MapBlock& block) {
   return static_cast<int>(all_.size()) - 1;
 }
 
+Eigen::MatrixXd HypothesisSpace::BasisOf(const std::vector<int>& blocks) const {
+  Eigen::Index columns = 0;
+  for (const int k : blocks) columns += Projected(k).cols();
+  Eigen::MatrixXd all(y_.size(), columns);
+  Eigen::Index first = 0;
+  for (const int k : blocks) {
+    all.middleCols(first, Projected(k).cols()) = Projected(k);
+    first += Projected(k).cols();
+  }
+  return OrthonormalBasis(all, 1e-6);
+}
+
 void HypothesisSpace::CompleteGram() const {
   const Eigen::Index known = S_.cols(), fresh = num_columns_ - known;
   if (fresh == 0) return;

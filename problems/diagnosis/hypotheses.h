@@ -70,6 +70,9 @@ class HypothesisSpace {
     return X_.middleCols(range.first, range.size);
   }
 
+  /// Orthonormal basis of several blocks' projected columns.
+  Eigen::MatrixXd BasisOf(const std::vector<int>& blocks) const;
+
   BlockTests Tests(double nu, bool sigma_known, int draws, std::uint64_t seed) const;
 
   /// The score of an effect that is no member (a setting being refined), beside the basis `extra`

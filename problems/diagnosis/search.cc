@@ -25,7 +25,6 @@ class Searcher {
     SearchOutcome out;
     out.scores = tester_.tests().Scores({});
     const ModelTest geometry = tester_.tests().Test({}, options_.false_alarm);
-    out.score_geometry = geometry.T;
     const std::vector<SpectralPeak> peaks = tester_.Scan({});
     out.p_geometry = Combine(geometry.p, SetTester::LeastScan(peaks));
     out.consistent = out.p_geometry > options_.false_alarm;

@@ -31,8 +31,7 @@ struct TestedSet {
 };
 
 struct SearchOutcome {
-  double p_geometry = 1;      // that geometry and noise are all
-  double score_geometry = 0;  // largest normal score
+  double p_geometry = 1;  // that geometry and noise are all
   bool consistent = true;
   std::vector<BlockScore> scores;  // of every block beside the geometry alone
   std::vector<int> accepted;       // the best set of names; may be empty

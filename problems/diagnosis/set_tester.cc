@@ -60,25 +60,13 @@ bool SetTester::MayBeNamed(const std::string& effect) const {
   return wanted.empty() || std::find(wanted.begin(), wanted.end(), effect) != wanted.end();
 }
 
-Eigen::MatrixXd SetTester::BasisOf(const std::vector<int>& members) const {
-  Eigen::Index columns = 0;
-  for (const int k : members) columns += space_->Projected(k).cols();
-  Eigen::MatrixXd all(space_->y().size(), columns);
-  Eigen::Index first = 0;
-  for (const int k : members) {
-    all.middleCols(first, space_->Projected(k).cols()) = space_->Projected(k);
-    first += space_->Projected(k).cols();
-  }
-  return OrthonormalBasis(all, 1e-6);
-}
-
 std::vector<SpectralPeak> SetTester::Scan(const std::vector<int>& members) const {
   // What wrong masses leave of an effect is no line either.
   std::vector<int> with_shapes = members;
   for (const int k : members) {
     if (at(k).shape_block >= 0) with_shapes.push_back(at(k).shape_block);
   }
-  const Eigen::MatrixXd extra = BasisOf(with_shapes);
+  const Eigen::MatrixXd extra = space_->BasisOf(with_shapes);
   Eigen::MatrixXd basis(space_->y().size(), space_->U().cols() + extra.cols());
   basis << space_->U(), extra;
   return ScanOrders(space_->context(),
@@ -96,7 +84,7 @@ double SetTester::LeastScan(const std::vector<SpectralPeak>& peaks) {
 }
 
 bool SetTester::AddPeaks(const std::vector<SpectralPeak>& peaks, const std::vector<int>& members) {
-  const Eigen::MatrixXd extra = BasisOf(members);
+  const Eigen::MatrixXd extra = space_->BasisOf(members);
   bool any = false;
   for (const SpectralPeak& peak : peaks) {
     if (peak.p_scan > options_.false_alarm || !MayBeNamed("gear_harmonic")) continue;
@@ -122,7 +110,7 @@ void SetTester::AddRefined(const std::vector<int>& members) {
   std::vector<int> ranked;
   for (const auto& [family, k] : best) ranked.push_back(k);
   std::sort(ranked.begin(), ranked.end(), [&](int a, int b) { return score(a) > score(b); });
-  const Eigen::MatrixXd extra = BasisOf(members);
+  const Eigen::MatrixXd extra = space_->BasisOf(members);
   for (std::size_t k = 0; k < ranked.size() && k < kMostRefined; ++k) {
     if (score(ranked[k]) < 3) break;
     const EffectRequest refined = RefineSetting(*space_, at(ranked[k]).request, extra);
@@ -143,7 +131,7 @@ std::vector<int> SetTester::Polished(std::vector<int> members) {
       if (!is_line && !HasScannedSetting(request)) continue;
       std::vector<int> others = members;
       others.erase(others.begin() + static_cast<long>(i));
-      const Eigen::MatrixXd extra = BasisOf(others);
+      const Eigen::MatrixXd extra = space_->BasisOf(others);
       if (is_line) {
         const double before = request.settings["order"];
         const double order = RefineOrder(*space_, request, before, extra);

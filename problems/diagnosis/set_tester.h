@@ -51,7 +51,6 @@ class SetTester {
 
  private:
   bool MayBeNamed(const std::string& effect) const;
-  Eigen::MatrixXd BasisOf(const std::vector<int>& members) const;
   /// What a model may leave of each block without being rejected.
   Eigen::VectorXd Excused(const BlockModel& model, const std::vector<int>& members) const;
   /// Probability of the highest of the spectrum's known lines beside a model, for the whole scan.

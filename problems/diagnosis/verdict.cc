@@ -120,8 +120,8 @@ void AddAlternatives(const CompleteFit& geometry,
       Confusable confusable;
       confusable.effect = h.request;
       confusable.location = h.place.location;
-      const Eigen::MatrixXd a = OrthonormalBasis(space.Projected(member), 1e-6);
-      const Eigen::MatrixXd b = OrthonormalBasis(space.Projected(other), 1e-6);
+      const Eigen::MatrixXd a = space.BasisOf({member});
+      const Eigen::MatrixXd b = space.BasisOf({other});
       confusable.overlap = (a.transpose() * b).norm() / std::sqrt(std::min(a.cols(), b.cols()));
       finding.confusable_with.push_back(confusable);
       const Elsewhere::Split split = elsewhere.PosesThatSplit(member, other);
@@ -169,13 +169,7 @@ Unexplained Curve(const HypothesisSpace& space,
     knots.push_back(h.knots[k * (h.knots.size() - 1) / (count - 1)]);
   }
   const SlotLayout& slots = space.context().slots();
-  Eigen::MatrixXd known(space.y().size(), 0);
-  for (const int k : names) {
-    Eigen::MatrixXd more(known.rows(), known.cols() + space.Projected(k).cols());
-    more << known, space.Projected(k);
-    known = more;
-  }
-  const Eigen::MatrixXd basis = OrthonormalBasis(known, 1e-6);
+  const Eigen::MatrixXd basis = space.BasisOf(names);
   const Eigen::VectorXd y = ProjectOff(basis, space.y());
   double best = -1;
   for (int slot = 0; slot < slots.size(); ++slot) {
