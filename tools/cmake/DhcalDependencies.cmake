@@ -10,6 +10,7 @@ find_package(yaml-cpp 0.7 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(fmt 9 REQUIRED)
 find_package(Boost 1.74 REQUIRED) # headers only: Boost.Math
+find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto) # SHA-256
 
 # yaml-cpp has its namespaced target only since 0.8.
 if(NOT TARGET yaml-cpp::yaml-cpp)
@@ -24,6 +25,7 @@ set(DHCAL_DEPENDENCIES
     nlohmann_json::nlohmann_json
     fmt::fmt
     Boost::headers
+    OpenSSL::Crypto
     Threads::Threads)
 
 if(DHCAL_BUILD_TESTS)

@@ -1,0 +1,134 @@
+// Proves the diagnosis on recordings whose answer the program is not told.
+//
+//   dhcal_prove --out DIR [--quick] [--seeds N] [--only D4,D5] [--jobs N]
+//
+// Makes recordings of arms with left-out physics (problems/concealed, which shares nothing with the
+// identification), runs ceres_dhcal on each as a user would, opens the sealed answers and prints
+// what was found, what was missed and where it abstained. DIR/proof.json holds all outcomes.
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <thread>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+
+#include "problems/concealed/scenarios.h"
+#include "tools/support/proof_suite.h"
+#include "tools/support/proof_table.h"
+#include "tools/support/run_program.h"
+
+DEFINE_string(out, "proof", "folder for cases, answers, results and proof.json");
+DEFINE_string(program, "", "the program to prove, default: ceres_dhcal beside this one");
+DEFINE_string(only, "", "scenarios, such as D4,D5; default all");
+DEFINE_int32(seeds, 20, "trials of each scenario");
+DEFINE_int32(jobs, 0, "cases at a time, default: one per processor");
+DEFINE_bool(quick, false, "one trial of the most telling scenarios");
+DEFINE_bool(list, false, "print the scenarios");
+DEFINE_bool(verbose, false, "print a line per case");
+
+namespace dhcal {
+namespace {
+
+std::vector<std::string> Split(const std::string& list) {
+  std::vector<std::string> items;
+  std::stringstream stream(list);
+  for (std::string item; std::getline(stream, item, ',');) {
+    if (!item.empty()) items.push_back(item);
+  }
+  return items;
+}
+
+void PrintCases(const std::vector<ProofScore>& scores) {
+  for (const ProofScore& s : scores) {
+    std::string findings;
+    for (const std::string& finding : s.findings) findings += "  " + finding;
+    std::cout << fmt::format("{:<16} {:<17}{}{}{}{}\n",
+                             s.name,
+                             s.failure.empty() ? s.verdict : s.failure,
+                             s.false_alarm ? " FALSE ALARM" : "",
+                             s.wrong_single ? " WRONG NAME" : "",
+                             s.detectable && s.library_has_all && !s.named ? " not named" : "",
+                             findings);
+  }
+}
+
+void WriteJson(const std::filesystem::path& file,
+               const std::vector<ProofScore>& scores,
+               double seconds) {
+  nlohmann::ordered_json proof = {{"program_version", DHCAL_VERSION},
+                                  {"seconds", seconds},
+                                  {"figures", FiguresToJson(Figures(scores))},
+                                  {"cases", nlohmann::ordered_json::array()}};
+  for (const ProofScore& score : scores) proof["cases"].push_back(ScoreToJson(score));
+  const std::filesystem::path aside = file.string() + ".part";
+  std::ofstream(aside) << proof.dump(1) << "\n";
+  std::filesystem::rename(aside, file);
+}
+
+int Run() {
+  ProofOptions options;
+  options.folder = std::filesystem::absolute(FLAGS_out);
+  options.program = FLAGS_program.empty() ? OwnProgram().parent_path() / "ceres_dhcal"
+                                          : std::filesystem::absolute(FLAGS_program);
+  options.only = Split(FLAGS_only);
+  options.seeds = FLAGS_seeds;
+  options.quick = FLAGS_quick;
+  const auto processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options.jobs = FLAGS_jobs > 0 ? FLAGS_jobs : processors;
+  if (!std::filesystem::exists(options.program)) {
+    std::cerr << fmt::format(
+        "dhcal_prove: {} does not exist; build it, or name it with --program\n",
+        options.program.string());
+    return 2;
+  }
+  for (const std::string& name : UnknownScenarios(options)) {
+    std::cerr << fmt::format("dhcal_prove: --only names {}, which is no scenario; see --list\n",
+                             name);
+    return 2;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const std::vector<ProofScore> scores = RunProof(options, [&](int done, int all) {
+    if (terminal) std::cerr << fmt::format("\r{} of {} cases, {:.0f} s ", done, all, seconds());
+  });
+  if (terminal) std::cerr << "\n";
+  if (FLAGS_verbose) PrintCases(scores);
+  std::cout << ProofTable(scores)
+            << fmt::format("{} cases in {:.0f} s; all outcomes: {}\n",
+                           scores.size(),
+                           seconds(),
+                           (options.folder / "proof.json").string());
+  WriteJson(options.folder / "proof.json", scores, seconds());
+  const bool failed = std::any_of(
+      scores.begin(), scores.end(), [](const ProofScore& s) { return !s.failure.empty(); });
+  return failed ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace dhcal
+
+int main(int argc, char** argv) {
+  gflags::SetUsageMessage(
+      "proves the diagnosis on recordings whose answer it is not told\n\n"
+      "  dhcal_prove --out DIR [--quick] [--seeds N] [--only D4,D5] [--jobs N] [--verbose]");
+  gflags::ParseCommandLineFlags(&argc, &argv, true);
+  if (argc > 1) {
+    std::cerr << fmt::format("dhcal_prove: unknown argument {}; see --help\n", argv[1]);
+    return 2;
+  }
+  if (FLAGS_list) {
+    for (const auto& scenario : dhcal::concealed::AllScenarios()) {
+      std::cout << fmt::format("{:<5} {}\n", scenario.name, scenario.story);
+    }
+    return 0;
+  }
+  return dhcal::Run();
+}
