@@ -139,7 +139,7 @@ Elsewhere TrueErrorElsewhere(const Trial& trial) {
 }
 
 MatrixXd Readings(const Trial& trial) {
-  Rng rng(trial.seed + 500009);
+  Rng rng(trial.noise_seed);
   Motion reached = trial.motion;
   for (Index row = 0; trial.joint_band > 0 && row < reached.q.rows(); ++row) {
     for (Index j = 0; j < reached.q.cols(); ++j) {

@@ -41,7 +41,7 @@ struct Trial {
   std::string scenario;  // "D4"
   std::string story;     // one line
   Group group = Group::kSingle;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1, noise_seed = 1;
   Arm drawing;  // what the problem file says
   Arm built;
   Motion motion;

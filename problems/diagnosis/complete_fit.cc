@@ -109,7 +109,7 @@ EffectEstimates EstimateEffects(const CompleteFit& fit) {
   }
   const double left = (y - X * step).squaredNorm();
   estimates.dof =
-      std::max<double>(1, static_cast<double>(rows.num_rows() - U.cols() - num_effects));
+      std::max<double>(1, static_cast<double>(rows.degrees_of_freedom() - U.cols() - num_effects));
   if (!SourceOfNoise(c).all_given()) estimates.sigma_scale = std::sqrt(left / estimates.dof);
   estimates.covariance = estimates.sigma_scale * estimates.sigma_scale * typical.asDiagonal() *
                          decomposition.pseudoInverse() * typical.asDiagonal();

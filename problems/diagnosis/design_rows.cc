@@ -52,6 +52,7 @@ DesignRows::DesignRows(const Calibration& c,
     }
   }
   y_.conservativeResize(filled_);
+  TakeOutOffsets(&y_);
   now_.conservativeResize(filled_, Eigen::NoChange);
   if (before_.rows() > 0) before_.conservativeResize(filled_, Eigen::NoChange);
 }
@@ -147,6 +148,20 @@ void DesignRows::AddSeries(const Eigen::VectorXd& state,
                                                static_cast<Eigen::Index>(inverse_sigma.size()));
 }
 
+void DesignRows::TakeOutOffsets(Eigen::VectorXd* v) const {
+  if (num_series_ == 0) return;
+  Eigen::VectorXd product = Eigen::VectorXd::Zero(3 * num_series_);
+  Eigen::VectorXd square = Eigen::VectorXd::Zero(3 * num_series_);
+  const auto offset = [&](int k) { return 3 * series_[static_cast<std::size_t>(k)] + k % 3; };
+  for (int k = 0; k < num_rows(); ++k) {
+    product[offset(k)] += inverse_sigma_[k] * (*v)[k];
+    square[offset(k)] += inverse_sigma_[k] * inverse_sigma_[k];
+  }
+  for (int k = 0; k < num_rows(); ++k) {
+    (*v)[k] -= inverse_sigma_[k] * product[offset(k)] / square[offset(k)];
+  }
+}
+
 void DesignRows::WhitenSerially(double rho) {
   CHECK(CanWhiten());
   const double scale = 1 / std::sqrt(1 - rho * rho);
@@ -176,12 +191,13 @@ Eigen::VectorXd DesignRows::Column(const std::vector<SlotWeights>& slots) const 
       }
     }
   }
+  TakeOutOffsets(&column);
   return column;
 }
 
 Eigen::MatrixXd DesignRows::Geometry(const std::vector<Parameter>& parameters) const {
   const auto num_parameters = static_cast<Eigen::Index>(parameters.size());
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(num_rows(), num_parameters + 3 * num_series_);
+  Eigen::MatrixXd J(num_rows(), num_parameters);
   for (Eigen::Index k = 0; k < num_parameters; ++k) {
     const Parameter& parameter = parameters[static_cast<std::size_t>(k)];
     if (parameter.effect_column >= 0) {
@@ -194,9 +210,6 @@ Eigen::MatrixXd DesignRows::Geometry(const std::vector<Parameter>& parameters) c
       weight[row] = InScope(parameter, c_.recording.run(row), c_.Target(row)) ? 1.0 : 0.0;
     }
     J.col(k) = Column({{parameter.slot, weight}});
-  }
-  for (int k = 0; k < static_cast<int>(series_.size()); ++k) {
-    J(k, num_parameters + 3 * series_[static_cast<std::size_t>(k)] + k % 3) = inverse_sigma_[k];
   }
   return J;
 }

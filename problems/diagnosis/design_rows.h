@@ -5,8 +5,9 @@
 //   column of a parameter = sum over slots of (d reading / d slot) weight(row) / sigma
 //
 // Rows of adjacent readings hold two poses, each with its own weight. Shared-pose differences are
-// treated as the equivalent: positions with one free offset per series (physics.md D4). The same
-// derivatives as the residual blocks', which a test compares.
+// treated as the equivalent: positions with one free offset per series (physics.md D4); everything
+// that leaves this class is projected off those offsets already, so that a recording may have any
+// number of series. The same derivatives as the residual blocks', which a test compares.
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_DESIGN_ROWS_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_DESIGN_ROWS_H_
 
@@ -41,11 +42,12 @@ class DesignRows {
     return now_row_[static_cast<std::size_t>(reading) * static_cast<std::size_t>(coordinates_)];
   }
   const Eigen::VectorXd& y() const { return y_; }
+  /// Rows less what the free offsets of series take.
+  int degrees_of_freedom() const { return num_rows() - 3 * num_series_; }
 
   /// Whitened column of something that adds `weight` (per recording row) to slots.
   Eigen::VectorXd Column(const std::vector<SlotWeights>& slots) const;
-  /// Columns of the calibration's parameters (effects switched on included), then one offset per
-  /// series and coordinate where differences are shared.
+  /// Columns of the calibration's parameters (effects switched on included).
   Eigen::MatrixXd Geometry(const std::vector<Parameter>& parameters) const;
 
   /// d reading / d slot at the reading's own pose, and (adjacent) at the one before; rows x slots.
@@ -60,6 +62,8 @@ class DesignRows {
   void AddSeries(const Eigen::VectorXd& state,
                  const std::vector<Reading>& readings,
                  const Noise& noise);
+  /// v without what the offsets of the series can take of it.
+  void TakeOutOffsets(Eigen::VectorXd* v) const;
   void Append(const Eigen::VectorXd& y,
               const Eigen::MatrixXd& now,
               int row,

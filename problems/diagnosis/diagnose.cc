@@ -81,7 +81,7 @@ CleanRows Clean(const CompleteFit& fit, std::vector<Reading> readings) {
     clean.rows = std::make_unique<DesignRows>(c, fit.state(), fit.fit.noise_seen, readings);
     clean.U = ModelBasis(fit, readings);
     clean.y = ProjectOff(clean.U, clean.rows->y());
-    clean.nu = static_cast<double>(clean.rows->num_rows() - clean.U.cols());
+    clean.nu = static_cast<double>(clean.rows->degrees_of_freedom() - clean.U.cols());
     const bool plain = clean.rows->num_readings() == static_cast<int>(readings.size());
     if (round == kOutlierRounds || !plain) break;
     const std::vector<bool> flagged = FlagOutliers(clean.y, clean.U, clean.rows->coordinates());

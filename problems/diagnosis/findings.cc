@@ -23,6 +23,7 @@ using Eigen::VectorXd;
 constexpr std::size_t kMostMoved = 8;
 constexpr double kMovedSigmas = 3;
 constexpr double kReplicates = 0.01;
+constexpr int kMostRunGroups = 20;  // more runs are put together
 
 double Rms(const VectorXd& whitened, double sigma) {
   if (whitened.size() == 0) return kUnknown;
@@ -66,21 +67,22 @@ double Replication(const CompleteFit& fit, const EffectColumn& column) {
   if (num_runs < 2) return kUnknown;
   const DesignRows rows(c, fit.state(), fit.fit.noise_seen, c.readings.fitted);
   const Eigen::MatrixXd U = ModelBasis(fit, c.readings.fitted);
-  Eigen::MatrixXd split(rows.num_rows(), num_runs);
-  for (int run = 0; run < num_runs; ++run) {
+  const int groups = std::min(num_runs, kMostRunGroups);
+  Eigen::MatrixXd split(rows.num_rows(), groups);
+  for (int group = 0; group < groups; ++group) {
     std::vector<SlotWeights> own = column.slots;
     for (SlotWeights& weights : own) {
       for (int row = 0; row < c.recording.num_rows(); ++row) {
-        if (c.recording.run(row) != run) weights.weight[row] = 0;
+        if (c.recording.run(row) % groups != group) weights.weight[row] = 0;
       }
     }
-    split.col(run) = rows.Column(own);
+    split.col(group) = rows.Column(own);
   }
   const VectorXd y = ProjectOff(U, rows.y());
   const Eigen::MatrixXd basis = OrthonormalBasis(ProjectOff(U, split), 1e-4);
   if (basis.cols() == 0) return kUnknown;
   const double removed = (basis.transpose() * y).squaredNorm();
-  const double rest = static_cast<double>(rows.num_rows() - U.cols() - basis.cols());
+  const double rest = static_cast<double>(rows.degrees_of_freedom() - U.cols() - basis.cols());
   const auto k = static_cast<double>(basis.cols());
   if (rest < 1) return kUnknown;
   return FTail(removed / k / ((y.squaredNorm() - removed) / rest), k, rest);

@@ -96,12 +96,10 @@ LinearModel Linear(const CompleteFit& fit, const std::vector<int>& dropped) {
       kept.push_back(i);
     }
   }
-  const auto offsets = J.cols() - tolerance.size();
-  model.A.resize(J.rows(), static_cast<Index>(kept.size()) + offsets);
+  model.A.resize(J.rows(), static_cast<Index>(kept.size()));
   for (std::size_t k = 0; k < kept.size(); ++k) {
     model.A.col(static_cast<Index>(k)) = J.col(kept[k]) * tolerance[kept[k]];
   }
-  model.A.rightCols(offsets) = J.rightCols(offsets);
   return model;
 }
 
