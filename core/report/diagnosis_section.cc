@@ -74,12 +74,12 @@ std::string FindingWords(std::size_t number, const Finding& f) {
   std::string sentence = f.sentence;
   if (!sentence.empty()) sentence[0] = static_cast<char>(std::toupper(sentence[0]));
   std::string text = "\n" + Wrap(fmt::format("  {}. ", number), sentence + ".");
-  text += Wrap("     ",
-               fmt::format("{}: {}, driven by {}, class {}.",
-                           InstanceName(f.effect),
-                           f.location,
-                           f.driver,
-                           f.effect_class));
+  const std::string driver =
+      f.driver == "constant" ? "the same at all poses" : "driven by " + f.driver;
+  text += Wrap(
+      "     ",
+      fmt::format(
+          "{}: {}, {}, class {}.", InstanceName(f.effect), f.location, driver, f.effect_class));
   const std::string rms = BeforeAfter(f);
   if (!rms.empty()) text += Wrap("     ", rms + ".");
   for (const std::string& caution : f.cautions) text += Wrap("     Caution: ", caution + ".");
@@ -211,7 +211,7 @@ std::string DiagnosisSection(const Result& result) {
                                     Millimetres(d.rms_test_after)));
   }
   text += RestWords(d) + MovedTable(d);
-  if (d.verdict != DiagnosisVerdict::kConsistent) text += MapTable(d);
+  if (d.misfit.p_value <= d.false_alarm) text += MapTable(d);
   text += HiddenTable(d);
   std::vector<std::string> untested;
   for (const NotTestable& entry : d.not_testable) {

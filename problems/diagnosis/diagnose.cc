@@ -16,6 +16,7 @@
 #include "problems/diagnosis/complete_fit.h"
 #include "problems/diagnosis/design_rows.h"
 #include "problems/diagnosis/findings.h"
+#include "problems/diagnosis/held_fit.h"
 #include "problems/diagnosis/hypotheses.h"
 #include "problems/diagnosis/missing_geometry.h"
 #include "problems/diagnosis/projection.h"
@@ -174,7 +175,8 @@ bool RefitAndJudge(const ProblemSpec& spec,
     });
     if (worst->delta_log_predictive >= 0 && d->rms_test_after < d->rms_test_before) {
       std::move(findings.begin(), findings.end(), std::back_inserter(d->findings));
-      d->moved = MovedParameters(*before, *after);
+      const std::vector<MovedParameter> moved = MovedParameters(*before, *after);
+      d->moved.insert(d->moved.end(), moved.begin(), moved.end());
       return withdrawn;
     }
     withdrawn = true;
@@ -209,8 +211,11 @@ void DescribeMisfit(const CompleteFit& fit,
 }  // namespace
 
 bool WantsDiagnosis(const ProblemSpec& spec, const Result& identified) {
-  if (spec.diagnosis.run == DiagnosisRun::kNever || identified.best() == nullptr) return false;
+  if (spec.diagnosis.run == DiagnosisRun::kNever) return false;
   if (spec.diagnosis.run == DiagnosisRun::kAlways) return true;
+  // No answer, or one that no manufacture explains, is itself a reason to ask what is wrong.
+  if (identified.best() == nullptr) return true;
+  if (!RowsPlausible(spec.robot, identified.calibrated)) return true;
   const bool noise_free = spec.simulate && spec.simulate->noise <= kFinestSigma;
   return !noise_free && identified.best()->rms > kFinestSigma;
 }

@@ -11,7 +11,8 @@
 namespace dhcal {
 
 /// True if the problem file's `diagnosis.run` asks for one. With `auto`, recordings without noise
-/// (simulations for comparing solvers) are not diagnosed: there is nothing to measure a misfit by.
+/// (simulations for comparing solvers) are not diagnosed: there is nothing to measure a misfit by,
+/// unless the corrections found are beyond what manufacture explains, or the fit failed.
 bool WantsDiagnosis(const ProblemSpec& spec, const Result& identified);
 
 /// Complete geometry, score tests, confidence set, refit, validation (shared physics.md B.3). The

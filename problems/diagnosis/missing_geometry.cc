@@ -2,53 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "core/math/statistics.h"
-#include "core/physics/registry.h"
 #include "problems/assembly.h"
+#include "problems/diagnosis/completions.h"
+#include "problems/diagnosis/concealed_frame.h"
 #include "problems/diagnosis/design_rows.h"
 #include "problems/diagnosis/projection.h"
-#include "problems/fit_analysis.h"
 #include "problems/noise.h"
 #include "problems/parameter_values.h"
 
 namespace dhcal {
 namespace {
-
-/// A completion: the effect that names it and the parameters that it frees.
-struct Completion {
-  EffectRequest request;
-  std::vector<std::size_t> parameters;  // of the complete calibration
-};
-
-std::vector<Completion> Missing(const Calibration& user, const Calibration& complete) {
-  std::set<std::string> estimated;
-  for (const Parameter& p : user.parameters) estimated.insert(p.name);
-  std::vector<Completion> completions;
-  Completion base, tool;
-  base.request.effect = "base_frame";
-  tool.request.effect = "tool_offset";
-  for (std::size_t k = 0; k < complete.parameters.size(); ++k) {
-    const Parameter& p = complete.parameters[k];
-    if (estimated.count(p.name) > 0) continue;
-    if (p.group == ParameterGroup::kBase) base.parameters.push_back(k);
-    if (p.group == ParameterGroup::kTool) tool.parameters.push_back(k);
-    if (p.group != ParameterGroup::kBeta) continue;
-    Completion tilt;
-    tilt.request.effect = "axis_tilt";
-    tilt.request.joint = p.slot / SlotLayout::kPerJoint + 1;
-    tilt.parameters.push_back(k);
-    completions.push_back(tilt);
-  }
-  if (!base.parameters.empty()) completions.push_back(base);
-  if (!tool.parameters.empty()) completions.push_back(tool);
-  return completions;
-}
 
 struct Gain {
   double p = 1;
@@ -81,46 +47,6 @@ Gain GainOf(const Eigen::MatrixXd& U,
   return gain;
 }
 
-Finding Describe(const Completion& completion, const CompleteFit& fit, double p_value) {
-  const Calibration& c = fit.calibration;
-  const FitAnalysis analysis = Analyse(c, fit.fit);
-  const RobotModel& nominal = c.spec.robot;
-  const RobotModel calibrated = CalibratedRobot(c, fit.state());
-  const Frames frames_nominal(nominal, c.recording), frames(calibrated, c.recording);
-  Finding finding;
-  finding.effect = completion.request;
-  const Effect& effect = *FindEffect(completion.request.effect);
-  const PhysicsContext context = c.Context();
-  const EffectPlace place = effect.Place(context, completion.request);
-  finding.effect_class = place.effect_class;
-  finding.location = place.location;
-  finding.driver = place.driver;
-  finding.p_value = p_value;
-  const std::vector<EffectColumn> columns = effect.Columns(context, completion.request);
-  std::vector<EffectValue> values;
-  for (std::size_t i = 0; i < completion.parameters.size(); ++i) {
-    const std::size_t k = completion.parameters[i];
-    const auto row = static_cast<Eigen::Index>(k);
-    const Parameter& p = c.parameters[k];
-    // Frames may come once per run or target; their six follow each other.
-    const EffectColumn& column = columns[i % columns.size()];
-    FoundParameter found;
-    found.name = ParameterName(completion.request, column.parameter);
-    found.value = Correction(nominal, frames_nominal, calibrated, frames, p);
-    found.sigma = std::sqrt(analysis.identifiability.covariance(row, row));
-    found.ci95_low = found.value - 1.96 * found.sigma;
-    found.ci95_high = found.value + 1.96 * found.sigma;
-    found.unit = column.unit;
-    finding.parameters.push_back(found);
-    if (i < columns.size() &&
-        analysis.identifiability.parameters[k].verdict == Verdict::kIdentified) {
-      values.push_back({column.parameter, column.unit, found.value, found.sigma});
-    }
-  }
-  finding.sentence = effect.Sentence(completion.request, values);
-  return finding;
-}
-
 }  // namespace
 
 void AddMissingGeometry(const ProblemSpec& spec,
@@ -128,11 +54,21 @@ void AddMissingGeometry(const ProblemSpec& spec,
                         const Result& identified,
                         const CompleteFit& complete,
                         DiagnosisResult* d) {
-  // At the file's own answer: its robot, all corrections in it.
-  ProblemSpec user_spec = spec;
+  const std::vector<Completion> missing =
+      MissingCompletions(Calibration(spec, recording), complete.calibration);
+  if (missing.empty()) return;
+  const auto held = AddConcealedFrames(spec, recording, identified, complete, missing, d);
+  // At the file's own answer, all corrections in it; where a frame was concealed or there is no
+  // answer, at that of the fit held to the drawing.
+  ProblemSpec user_spec = held->spec;
+  user_spec.measurement = spec.measurement;
   user_spec.robot = identified.calibrated;
+  if (!d->findings.empty() || identified.best() == nullptr) {
+    if (!held->usable()) return;
+    user_spec.robot = CalibratedRobot(held->calibration, held->state());
+  }
   const Calibration user(user_spec, recording);
-  const std::vector<Completion> completions = Missing(user, complete.calibration);
+  const std::vector<Completion> completions = MissingCompletions(user, complete.calibration);
   if (completions.empty()) return;
   const Eigen::VectorXd zero =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(user.parameters.size()));
@@ -152,10 +88,7 @@ void AddMissingGeometry(const ProblemSpec& spec,
     Gain best_gain;
     for (std::size_t k = 0; k < completions.size(); ++k) {
       if (used[k]) continue;
-      std::vector<Parameter> parameters;
-      for (const std::size_t i : completions[k].parameters) {
-        parameters.push_back(complete.calibration.parameters[i]);
-      }
+      const std::vector<Parameter>& parameters = completions[k].parameters;
       const Eigen::MatrixXd J = rows.Geometry(parameters);
       const Gain gain =
           GainOf(U, J.leftCols(static_cast<Eigen::Index>(parameters.size())), y, sigma_known);
@@ -172,7 +105,8 @@ void AddMissingGeometry(const ProblemSpec& spec,
     const double sigma = complete.fit.noise_seen.sigma;
     const double rms_before = sigma * std::sqrt(y.squaredNorm() / static_cast<double>(y.size()));
     y = ProjectOff(best_gain.basis, y);
-    Finding finding = Describe(completions[best], complete, best_gain.p);
+    Finding finding =
+        DescribeCompletion(completions[best], complete.calibration, complete.fit, best_gain.p);
     finding.rms_train_before = rms_before;
     finding.rms_train_after = sigma * std::sqrt(y.squaredNorm() / static_cast<double>(y.size()));
     d->findings.push_back(finding);

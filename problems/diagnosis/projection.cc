@@ -12,7 +12,9 @@
 namespace dhcal {
 namespace {
 
-constexpr double kZeroColumn = 1e-7;    // of the longest column
+constexpr double kZeroColumn = 1e-7;  // of the longest column
+// A reading met to a tenth of its noise is no outlier, however well the others are met.
+constexpr double kWithinNoise = 0.1;
 constexpr double kOutlier = 4.5;        // standard deviations
 constexpr double kMostOutliers = 0.05;  // of all readings
 
@@ -63,7 +65,7 @@ std::vector<bool> FlagOutliers(const Eigen::VectorXd& y,
   const double scale = RobustScale(values);
   if (!(scale > 0)) return flagged;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    if (std::abs(values[k]) > kOutlier * scale) {
+    if (std::abs(values[k]) > std::max(kOutlier * scale, kWithinNoise)) {
       flagged[k / static_cast<std::size_t>(coordinates)] = true;
     }
   }

@@ -236,12 +236,27 @@ TEST(Diagnose, SeriallyCorrelatedNoiseIsNoDriftAndNoStep) {
 TEST(WantsDiagnosis, NotOfSimulationsWithoutNoise) {
   ProblemSpec spec;
   Result result;
-  EXPECT_FALSE(WantsDiagnosis(spec, result)) << "no usable fit";
   result.fits.emplace_back();
   result.best_fit = 0;
   result.fits[0].rms = 1e-12;
   EXPECT_FALSE(WantsDiagnosis(spec, result));
   result.fits[0].rms = 1e-5;
+  EXPECT_TRUE(WantsDiagnosis(spec, result));
+  spec.diagnosis.run = DiagnosisRun::kNever;
+  EXPECT_FALSE(WantsDiagnosis(spec, result));
+}
+
+TEST(WantsDiagnosis, WhereTheAnswerIsMissingOrNoManufactureExplainsIt) {
+  ProblemSpec spec;
+  spec.robot = Kr15();
+  Result result;
+  EXPECT_TRUE(WantsDiagnosis(spec, result)) << "no usable fit";
+  result.fits.emplace_back();
+  result.best_fit = 0;
+  result.fits[0].rms = 1e-12;
+  result.calibrated = spec.robot;
+  EXPECT_FALSE(WantsDiagnosis(spec, result));
+  result.calibrated.joints[5].d += 6e-3;
   EXPECT_TRUE(WantsDiagnosis(spec, result));
   spec.diagnosis.run = DiagnosisRun::kNever;
   EXPECT_FALSE(WantsDiagnosis(spec, result));
