@@ -46,9 +46,9 @@ std::vector<std::string> SameDirections(const HeldFit& fit,
   const DesignRows rows(c, fit.state(), fit.fit.noise_seen, c.readings.fitted);
   std::vector<std::string> pairs;
   for (const RowCorrection& correction : own) {
-    const Eigen::MatrixXd a = rows.Geometry({correction.parameter}).leftCols(1);
+    const Eigen::MatrixXd a = rows.Geometry({correction.parameter});
     for (const Parameter& p : completion.parameters) {
-      const Eigen::MatrixXd b = rows.Geometry({p}).leftCols(1);
+      const Eigen::MatrixXd b = rows.Geometry({p});
       const double lengths = a.norm() * b.norm();
       if (!(lengths > 0) || std::abs(a.col(0).dot(b.col(0))) < kSameDirection * lengths) continue;
       pairs.push_back(fmt::format("{} from {}", correction.parameter.name, p.name));

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "core/base/units.h"
+#include "core/math/statistics.h"
 #include "core/physics/registry.h"
 #include "problems/diagnosis/complete_fit.h"
 #include "problems/diagnosis/design_rows.h"
@@ -29,6 +30,7 @@ namespace {
 
 // Rows beyond this are thinned for the search (not for the fits).
 constexpr std::size_t kMostReadings = 6000;
+constexpr std::size_t kLongestPiece = 100;  // of a series, when a long one is thinned
 constexpr int kOutlierRounds = 3;
 constexpr int kDraws = 2000;
 constexpr double kWorthWhitening = 0.1;  // smallest serial correlation that is taken out
@@ -101,11 +103,31 @@ CleanRows Clean(const CompleteFit& fit, std::vector<Reading> readings) {
   return clean;
 }
 
+/// Readings that follow each other without a gap (differences), cut to pieces of a length; single
+/// readings are pieces of their own.
+std::vector<std::vector<Reading>> Pieces(const std::vector<Reading>& readings) {
+  std::vector<std::vector<Reading>> pieces;
+  for (const Reading& reading : readings) {
+    const bool follows = reading.previous_idx >= 0 && !pieces.empty() &&
+                         pieces.back().back().row_idx == reading.previous_idx &&
+                         pieces.back().size() < kLongestPiece;
+    if (!follows) pieces.emplace_back();
+    pieces.back().push_back(reading);
+  }
+  return pieces;
+}
+
+/// Evenly over the recording. Differences are taken in pieces: one torn out of its series would say
+/// little, since its own offset is free.
 std::vector<Reading> Thinned(const std::vector<Reading>& readings) {
   if (readings.size() <= kMostReadings) return readings;
+  const std::vector<std::vector<Reading>> pieces = Pieces(readings);
+  const std::size_t wanted =
+      std::max<std::size_t>(1, pieces.size() * kMostReadings / readings.size());
   std::vector<Reading> thinned;
-  for (std::size_t k = 0; k < kMostReadings; ++k) {
-    thinned.push_back(readings[k * readings.size() / kMostReadings]);
+  for (std::size_t k = 0; k < wanted; ++k) {
+    const std::vector<Reading>& piece = pieces[k * pieces.size() / wanted];
+    thinned.insert(thinned.end(), piece.begin(), piece.end());
   }
   return thinned;
 }
@@ -173,7 +195,9 @@ bool RefitAndJudge(const ProblemSpec& spec,
     const auto worst = std::min_element(findings.begin(), findings.end(), [](auto& a, auto& b) {
       return a.delta_log_predictive < b.delta_log_predictive;
     });
-    if (worst->delta_log_predictive >= 0 && d->rms_test_after < d->rms_test_before) {
+    const bool hold = c.readings.test.empty() ? d->rms_test_after < d->rms_test_before
+                                              : !TestRowsSpeakAgainst(*before, *after);
+    if (worst->delta_log_predictive >= 0 && hold) {
       std::move(findings.begin(), findings.end(), std::back_inserter(d->findings));
       const std::vector<MovedParameter> moved = MovedParameters(*before, *after);
       d->moved.insert(d->moved.end(), moved.begin(), moved.end());
@@ -206,6 +230,38 @@ void DescribeMisfit(const CompleteFit& fit,
   misfit.p_value = outcome.p_geometry;
   misfit.rms =
       misfit.noise_sigma * std::sqrt(clean.y.squaredNorm() / static_cast<double>(clean.y.size()));
+}
+
+/// One search with all that it refers to.
+struct Pass {
+  Pass(const PhysicsContext& context, CleanRows clean_rows)
+      : clean(std::move(clean_rows)), space(context, *clean.rows, clean.U, clean.y) {}
+  Pass(const Pass&) = delete;
+  Pass& operator=(const Pass&) = delete;
+
+  CleanRows clean;
+  HypothesisSpace space;
+  SearchOutcome outcome;
+};
+
+/// True if what the geometry leaves is more than the stated noise allows.
+bool ExceedsNoise(const CleanRows& clean, double false_alarm) {
+  return ChiSquareTail(clean.y.squaredNorm(), clean.nu) <= false_alarm;
+}
+
+std::string SlowExcess(double rho) {
+  return fmt::format(
+      "What is left of neighbouring readings correlates ({:.2f}) and exceeds the stated noise: "
+      "something changes slowly in time. Serial noise would look the same, so it is given no name.",
+      rho);
+}
+
+/// Something is there; nothing that was found may be named.
+void GiveNoName(SearchOutcome* outcome) {
+  outcome->accepted.clear();
+  outcome->complete = false;
+  outcome->removed_by_names = 0;
+  for (TestedSet& set : outcome->tested) set.kept = false;
 }
 
 }  // namespace
@@ -241,12 +297,13 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   const Calibration& c = before->calibration;
   AddMissingGeometry(spec, recording, identified, *before, &d);
 
-  CleanRows clean = Clean(*before, Thinned(c.readings.fitted));
+  const std::vector<Reading> readings = Thinned(c.readings.fitted);
+  CleanRows clean = Clean(*before, readings);
   if (c.readings.fitted.size() > kMostReadings) {
     d.notes.push_back(
         fmt::format("{} of {} rows were searched, evenly over the recording; the "
                     "fits use all.",
-                    kMostReadings,
+                    readings.size(),
                     c.readings.fitted.size()));
   }
   const PhysicsContext context = c.Context();
@@ -256,36 +313,46 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   options.nu = clean.nu;
   options.effects = spec.diagnosis.effects;
   options.draws = kDraws;
-  auto space = std::make_unique<HypothesisSpace>(context, *clean.rows, clean.U, clean.y);
-  Populate(spec, space.get(), &d);
-  say(fmt::format("{} hypotheses and map cells", space->all().size()));
-  SearchOutcome outcome = Search(options, space.get());
-  const double rho = SerialCorrelation(*before, clean, *space, outcome.accepted);
-  const double significant =
-      std::max(kWorthWhitening, kWhitenSigmas / std::sqrt(static_cast<double>(clean.y.size())));
-  if (!outcome.consistent && rho > significant && clean.rows->CanWhiten()) {
+  auto pass = std::make_unique<Pass>(context, std::move(clean));
+  Populate(spec, &pass->space, &d);
+  say(fmt::format("{} hypotheses and map cells", pass->space.all().size()));
+  pass->outcome = Search(options, &pass->space);
+  const double rho = SerialCorrelation(*before, pass->clean, pass->space, pass->outcome.accepted);
+  const double significant = std::max(
+      kWorthWhitening, kWhitenSigmas / std::sqrt(static_cast<double>(pass->clean.y.size())));
+  if (!pass->outcome.consistent && rho > significant && pass->clean.rows->CanWhiten()) {
     say(fmt::format("again with the readings' serial correlation of {:.2f} taken out", rho));
-    d.notes.push_back(fmt::format(
-        "What is left of neighbouring readings correlates ({:.2f}); it was taken out as serial "
-        "noise before the search, so that slow noise is not taken for a drift or a step.",
-        rho));
-    Whiten(*before, std::min(rho, kMostCorrelation), &clean);
+    auto white = std::make_unique<Pass>(context, Clean(*before, readings));
+    Whiten(*before, std::min(rho, kMostCorrelation), &white->clean);
     d.not_testable.clear();
-    space = std::make_unique<HypothesisSpace>(context, *clean.rows, clean.U, clean.y);
-    Populate(spec, space.get(), &d);
+    Populate(spec, &white->space, &d);
     // A correlated noise is not of the size that an independent one would have.
-    options.sigma_known = false;
-    outcome = Search(options, space.get());
+    SearchOptions unknown = options;
+    unknown.sigma_known = false;
+    white->outcome = Search(unknown, &white->space);
+    if (white->outcome.consistent && options.sigma_known &&
+        ExceedsNoise(pass->clean, options.false_alarm)) {
+      d.notes.push_back(SlowExcess(rho));
+      GiveNoName(&pass->outcome);
+    } else {
+      d.notes.push_back(fmt::format(
+          "What is left of neighbouring readings correlates ({:.2f}); it was taken out as serial "
+          "noise before the search, so that slow noise is not taken for a drift or a step.",
+          rho));
+      pass = std::move(white);
+    }
   }
-  DescribeMisfit(*before, clean, outcome, &d);
+  const SearchOutcome& outcome = pass->outcome;
+  DescribeMisfit(*before, pass->clean, outcome, &d);
 
   std::vector<EffectRequest> names;
   for (const int k : outcome.accepted) {
-    names.push_back(space->all()[static_cast<std::size_t>(k)].request);
+    names.push_back(pass->space.all()[static_cast<std::size_t>(k)].request);
   }
-  const bool withdrawn = !names.empty() && RefitAndJudge(spec, recording, c, clean, names, say, &d);
+  const bool withdrawn =
+      !names.empty() && RefitAndJudge(spec, recording, c, pass->clean, names, say, &d);
   say("what is hidden");
-  Conclude(*before, *space, outcome, withdrawn, &d);
+  Conclude(*before, pass->space, outcome, withdrawn, &d);
   d.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return d;
 }

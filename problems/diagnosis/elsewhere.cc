@@ -23,11 +23,11 @@ using Eigen::VectorXd;
 
 constexpr int kPoses = 300;
 constexpr double kHalfRange = 120 * kDegree;
-constexpr double kDetection = 27;      // non-centrality found with 90 % at 1e-4 (physics.md A.8)
+constexpr double kDetection = 27;  // non-centrality found with 90 % at 1e-4 (physics.md A.8)
 // An effect's prior sigma in typical sizes: wide, so that the data limit the risk and not what is
 // usual; it only bounds what no row of the recording shows.
 constexpr double kTypicalToPrior = 10;
-constexpr double kOtherPayload = 15;   // [kg]
+constexpr double kOtherPayload = 15;  // [kg]
 constexpr std::size_t kMostPoses = 8;
 
 /// True for effects that depend on the pose alone: others have no value at a pose elsewhere.

@@ -23,6 +23,7 @@ using Eigen::VectorXd;
 constexpr std::size_t kMostMoved = 8;
 constexpr double kMovedSigmas = 3;
 constexpr double kReplicates = 0.01;
+constexpr double kTestSigmas = 2;
 constexpr int kMostRunGroups = 20;  // more runs are put together
 
 double Rms(const VectorXd& whitened, double sigma) {
@@ -156,6 +157,19 @@ void JudgeOnTestRows(const CompleteFit& before, const CompleteFit& after, Diagno
 }
 
 }  // namespace
+
+bool TestRowsSpeakAgainst(const CompleteFit& before, const CompleteFit& after) {
+  const Calibration& c = after.calibration;
+  double gain = 0, moved = 0;
+  for (const Reading& reading : c.readings.test) {
+    const double sigma = c.RowSigma(reading.row_idx, after.fit.noise_seen);
+    const VectorXd old = Compare(before.calibration, before.state(), reading).residual / sigma;
+    const VectorXd now = Compare(c, after.state(), reading).residual / sigma;
+    gain += old.squaredNorm() - now.squaredNorm();
+    moved += (old - now).squaredNorm();
+  }
+  return gain < 0 && gain < moved - kTestSigmas * 2 * std::sqrt(moved);
+}
 
 std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,
                                       const CompleteFit& before,

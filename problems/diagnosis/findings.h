@@ -11,6 +11,11 @@
 
 namespace dhcal {
 
+/// True if the test rows get worse by more than chance would let them were the effects real: the
+/// gain of rows that an effect moves by s (in noise) has mean s's and variance 4 s's. Small effects
+/// may lose on few rows by chance. False without test rows.
+bool TestRowsSpeakAgainst(const CompleteFit& before, const CompleteFit& after);
+
 /// Findings of `effects`, the last ones among `after`'s; `before` is the complete geometry alone
 /// (and the problem file's own effects). Fills the diagnosis' totals as well.
 std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,

@@ -17,7 +17,7 @@ namespace {
 std::string FamilyOf(const EffectRequest& request) {
   std::string family = fmt::format("{}.{}", request.effect, request.joint);
   for (const auto& [key, value] : request.settings) {
-    if (key == "at_s" || key == "at_row" || key == "time_constant_s") {
+    if (key == "at_s" || key == "at_row" || key == "time_constant_s" || key == "soft_torque_Nm") {
       family += "." + key;
     } else {
       family += fmt::format(".{}={:g}", key, value);

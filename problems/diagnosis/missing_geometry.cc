@@ -25,6 +25,7 @@ struct Gain {
 Gain GainOf(const Eigen::MatrixXd& U,
             const Eigen::MatrixXd& columns,
             const Eigen::VectorXd& y,
+            double dof,
             bool sigma_known) {
   Gain gain;
   // What the file's own parameters can do is not missing.
@@ -37,7 +38,7 @@ Gain GainOf(const Eigen::MatrixXd& U,
   }
   gain.removed = (gain.basis.transpose() * y).squaredNorm();
   const auto k = static_cast<double>(gain.basis.cols());
-  const double rest = static_cast<double>(y.size() - U.cols()) - k;
+  const double rest = dof - k;
   if (sigma_known) {
     gain.p = ChiSquareTail(gain.removed, k);
   } else if (rest >= 1) {
@@ -77,8 +78,7 @@ void AddMissingGeometry(const ProblemSpec& spec,
   // imitate a tilt, with corrections of metres.
   Eigen::MatrixXd J_user = rows.Geometry(user.parameters);
   const Eigen::VectorXd tolerance = ScalesOf(user.parameters).tolerance;
-  J_user.leftCols(tolerance.size()) =
-      J_user.leftCols(tolerance.size()).eval() * tolerance.asDiagonal();
+  J_user = J_user * tolerance.asDiagonal();
   Eigen::MatrixXd U = BasisAbove(J_user, 1.0);
   Eigen::VectorXd y = ProjectOff(U, rows.y());
   const bool sigma_known = SourceOfNoise(user).all_given();
@@ -90,8 +90,8 @@ void AddMissingGeometry(const ProblemSpec& spec,
       if (used[k]) continue;
       const std::vector<Parameter>& parameters = completions[k].parameters;
       const Eigen::MatrixXd J = rows.Geometry(parameters);
-      const Gain gain =
-          GainOf(U, J.leftCols(static_cast<Eigen::Index>(parameters.size())), y, sigma_known);
+      const auto dof = static_cast<double>(rows.degrees_of_freedom() - U.cols());
+      const Gain gain = GainOf(U, J, y, dof, sigma_known);
       if (gain.p > spec.diagnosis.false_alarm / static_cast<double>(completions.size())) continue;
       if (best < completions.size() && gain.removed <= best_gain.removed) continue;
       best = k;

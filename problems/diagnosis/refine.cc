@@ -15,9 +15,10 @@ namespace {
 
 constexpr int kBits = 20;
 constexpr std::size_t kMostInstants = 200;
+constexpr double kTorqueRange = 3;  // neighbouring candidates are closer
 
 std::string ScannedKey(const EffectRequest& request) {
-  for (const char* const key : {"at_s", "at_row", "time_constant_s"}) {
+  for (const char* const key : {"at_s", "at_row", "time_constant_s", "soft_torque_Nm"}) {
     if (request.settings.count(key) > 0) return key;
   }
   return "";
@@ -51,15 +52,23 @@ EffectRequest RefineSetting(const HypothesisSpace& space,
     }
     return removed;
   };
+  const auto search_between = [&](double low, double high) {
+    const auto found = boost::math::tools::brent_find_minima(
+        [&](double logarithm) { return -consider(std::exp(logarithm)); },
+        std::log(low),
+        std::log(high),
+        kBits / 2);
+    consider(std::exp(found.first));
+  };
   if (key == "time_constant_s") {
     const double duration = space.context().duration();
     if (request.settings.at(key) <= 0) return request;
-    const auto found = boost::math::tools::brent_find_minima(
-        [&](double log_constant) { return -consider(std::exp(log_constant)); },
-        std::log(0.02 * duration),
-        std::log(2.0 * duration),
-        kBits / 2);
-    consider(std::exp(found.first));
+    search_between(0.02 * duration, 2.0 * duration);
+    return best;
+  }
+  if (key == "soft_torque_Nm") {
+    search_between(request.settings.at(key) / kTorqueRange,
+                   request.settings.at(key) * kTorqueRange);
     return best;
   }
   // Instants: coarse over all, then every one around the best.

@@ -16,6 +16,8 @@ constexpr std::size_t kMostSwapsTried = 12;  // candidates per member
 constexpr std::size_t kMostExchanged = 4;    // members whose alternatives are all tested
 constexpr double kBetterPart = 0.5;
 
+bool IsTorque(const std::string& driver) { return driver.find("torque") != std::string::npos; }
+
 class Searcher {
  public:
   Searcher(const SearchOptions& options, HypothesisSpace* space)
@@ -83,7 +85,7 @@ class Searcher {
     double best = -1e300;
     for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
       const Hypothesis& h = at(k);
-      if (h.named || !h.in_maximum || h.driver.find("torque") != std::string::npos) continue;
+      if (h.named || !h.in_maximum || IsTorque(h.driver)) continue;
       if (!tester_.Try({k}, /*rescan=*/false).kept) continue;
       const double evidence = tester_.Evidence({k});
       if (evidence <= best) continue;
@@ -287,7 +289,15 @@ class Searcher {
     std::vector<int> surviving;
     for (const int k : out->accepted) {
       BlockModel without = with_rest;
-      const std::vector<int> own = tests.Columns(k);
+      std::vector<int> own = tests.Columns(k);
+      for (const int block : out->anonymous) {
+        // A free curve over the name's own torque holds the name: it is what else that torque does.
+        const Hypothesis& curve = at(block);
+        if (curve.slot != "theta" + std::to_string(at(k).request.joint)) continue;
+        if (curve.driver != at(k).place.driver || !IsTorque(curve.driver)) continue;
+        const std::vector<int> columns = tests.Columns(block);
+        own.insert(own.end(), columns.begin(), columns.end());
+      }
       without.columns.erase(
           std::remove_if(without.columns.begin(),
                          without.columns.end(),

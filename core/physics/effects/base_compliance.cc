@@ -17,7 +17,7 @@
 namespace dhcal {
 namespace {
 
-constexpr double kTypical = 1e-7;  // [rad/(N m)]
+constexpr double kTypical = 3e-7;  // [rad/(N m)]
 
 class BaseComplianceEffect final : public Effect {
  public:

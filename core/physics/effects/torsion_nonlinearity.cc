@@ -1,10 +1,12 @@
 // Nonlinear torsion of a gear: stiffer under load than around zero torque.
 //
 //   d theta_j = c3 tau_j^3                   c3 [rad/(N m)^3], tau_j [N m] gravity's torque
+//   d theta_j = c1 max(-T, min(tau_j, T))    c1 [rad/(N m)], with the setting soft_torque_Nm = T
 //
 // Added to joint_compliance it describes the soft zone of harmonic drives and cycloid gears (three
-// stiffness regions K1 < K2 < K3): c3 < 0 beside c > 0. Needs masses: a cube of unknown moments is
-// not linear in them.
+// stiffness regions K1 < K2 < K3): smoothly, with c3 < 0 beside c > 0, or as the makers state it,
+// with the torque T up to which the gear is softer by c1. A small T is like play that gravity
+// takes up (backlash with flank = 1). Needs masses: neither is linear in unknown moments.
 // Typical: K2/K1 = 1.3-1.6, so c3 tau^2 is about -0.1 c at the largest torque. Source: physics.md
 // G4. Worked number: row 2 of the example, tau_3 = 0 N m carried: see the conformance test.
 #include <cmath>
@@ -17,14 +19,24 @@
 namespace dhcal {
 namespace {
 
+constexpr char kSoftTorque[] = "soft_torque_Nm";
+
+Eigen::VectorXd Torque(const PhysicsContext& c, const EffectRequest& request) {
+  const int joint = JointIndex(request);
+  return request.setting("measured_torque", 0) != 0
+             ? MeasuredLoad(c, joint)
+             : GravityTorque(c, MassCases(c, joint).front(), joint);
+}
+
 class TorsionNonlinearityEffect final : public Effect {
  public:
   EffectDescription Describe() const override {
     return {"torsion_nonlinearity",
             "a gear is softer around zero torque than under load",
-            "d theta_j = c3 tau_j^3",
-            "cubic [rad/(N m)^3]",
-            {{"measured_torque", "1 = use the torque column"}},
+            "d theta_j = c3 tau_j^3, or c1 max(-T, min(tau_j, T))",
+            "cubic [rad/(N m)^3]; soft [rad/(N m)] with soft_torque_Nm",
+            {{"soft_torque_Nm", "T, end of the soft zone"},
+             {"measured_torque", "1 = use the torque column"}},
             "robot.links, or torque<j>_Nm with measured_torque",
             "a tenth of the linear yield at the largest torque [physics.md G4]"};
   }
@@ -42,9 +54,11 @@ class TorsionNonlinearityEffect final : public Effect {
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
     const int joint = JointIndex(request);
-    const Eigen::VectorXd torque = request.setting("measured_torque", 0) != 0
-                                       ? MeasuredLoad(c, joint)
-                                       : GravityTorque(c, MassCases(c, joint).front(), joint);
+    const Eigen::VectorXd torque = Torque(c, request);
+    if (const double end = request.setting(kSoftTorque, 0); end > 0) {
+      return {SlotColumn(
+          "soft", "rad/(N m)", 1e-6, c.joint_slot(joint), torque.cwiseMin(end).cwiseMax(-end))};
+    }
     const double largest = std::max(torque.cwiseAbs().maxCoeff(), 1.0);
     // A twentieth of a milliradian at the largest torque.
     const double typical = 5e-5 / (largest * largest * largest);
@@ -53,7 +67,19 @@ class TorsionNonlinearityEffect final : public Effect {
   }
 
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    return WithVariant(*this, c, EveryJoint(c, "torsion_nonlinearity"), "measured_torque");
+    std::vector<EffectRequest> candidates =
+        WithVariant(*this, c, EveryJoint(c, "torsion_nonlinearity"), "measured_torque");
+    const std::size_t cubes = candidates.size();
+    for (std::size_t k = 0; k < cubes; ++k) {
+      const EffectRequest cube = candidates[k];
+      if (!NotTestable(c, cube).empty()) continue;
+      const double largest = Torque(c, cube).cwiseAbs().maxCoeff();
+      for (const double share : {0.05, 0.15, 0.4}) {
+        candidates.push_back(cube);
+        candidates.back().settings[kSoftTorque] = share * largest;
+      }
+    }
+    return candidates;
   }
 
   EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {
@@ -64,6 +90,12 @@ class TorsionNonlinearityEffect final : public Effect {
 
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
+    if (const double end = request.setting(kSoftTorque, 0); end > 0) {
+      return fmt::format("joint {} is softer by {} below {:.3g} N m",
+                         request.joint,
+                         Quantity(Find(values, "soft"), 1e-6, "urad per N m"),
+                         end);
+    }
     const EffectValue cubic = Find(values, "cubic");
     return fmt::format("joint {} yields with the cube of its torque: {} ({})",
                        request.joint,
