@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
@@ -15,7 +16,7 @@ namespace {
 constexpr double kZeroColumn = 1e-7;  // of the longest column
 // A reading met to a tenth of its noise is no outlier, however well the others are met.
 constexpr double kWithinNoise = 0.1;
-constexpr double kOutlier = 4.5;        // standard deviations
+constexpr double kOutlier = 6.8e-6;     // probability per coordinate: 4.5 standard deviations
 constexpr double kMostOutliers = 0.05;  // of all readings
 
 /// Left singular vectors of A above a cut, through a QR.
@@ -32,6 +33,22 @@ Eigen::MatrixXd Basis(const Eigen::MatrixXd& A, double cut, bool relative) {
   U.topRows(svd.matrixU().rows()) = svd.matrixU().leftCols(rank);
   U.applyOnTheLeft(qr.householderQ());
   return U;
+}
+
+double MedianChiSquare(int dof) { return dof == 1 ? 0.4549 : dof == 2 ? 1.3863 : 2.3660; }
+
+/// Squared length of a reading's residual in standard deviations of what the projection leaves to
+/// it. Does not depend on the axes along which the coordinates are counted.
+double StandardisedSquare(const Eigen::VectorXd& y,
+                          const Eigen::MatrixXd& U,
+                          Eigen::Index first,
+                          int count) {
+  constexpr double kLeastFree = 1e-3;
+  const Eigen::MatrixXd own = U.middleRows(first, count);
+  const Eigen::MatrixXd free = Eigen::MatrixXd::Identity(count, count) - own * own.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(free);
+  const Eigen::VectorXd along = eigen.eigenvectors().transpose() * y.segment(first, count);
+  return along.cwiseAbs2().cwiseQuotient(eigen.eigenvalues().cwiseMax(kLeastFree)).sum();
 }
 
 }  // namespace
@@ -57,17 +74,18 @@ std::vector<bool> FlagOutliers(const Eigen::VectorXd& y,
                                int coordinates) {
   const auto num_readings = static_cast<std::size_t>(y.size() / coordinates);
   std::vector<bool> flagged(num_readings, false);
-  std::vector<double> values;
-  for (Eigen::Index k = 0; k < y.size(); ++k) {
-    const double free = std::max(1 - U.row(k).squaredNorm(), 1e-3);
-    values.push_back(y[k] / std::sqrt(free));
+  // The three coordinates of a position, or of a rotation, go together.
+  const int together = std::min(coordinates, 3);
+  std::vector<double> squares;
+  for (Eigen::Index first = 0; first < y.size(); first += together) {
+    squares.push_back(StandardisedSquare(y, U, first, together));
   }
-  const double scale = RobustScale(values);
+  const double scale = Median(squares) / MedianChiSquare(together);
   if (!(scale > 0)) return flagged;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    if (std::abs(values[k]) > std::max(kOutlier * scale, kWithinNoise)) {
-      flagged[k / static_cast<std::size_t>(coordinates)] = true;
-    }
+  for (std::size_t k = 0; k < squares.size(); ++k) {
+    if (squares[k] < kWithinNoise * kWithinNoise) continue;
+    if (ChiSquareTail(squares[k] / scale, together) > together * kOutlier) continue;
+    flagged[k * static_cast<std::size_t>(together) / static_cast<std::size_t>(coordinates)] = true;
   }
   const auto count = std::count(flagged.begin(), flagged.end(), true);
   if (static_cast<double>(count) > kMostOutliers * static_cast<double>(num_readings)) {

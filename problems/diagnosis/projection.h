@@ -25,9 +25,10 @@ Eigen::MatrixXd ProjectOff(const Eigen::MatrixXd& U, const Eigen::MatrixBase<Der
   return v - U * (U.transpose() * v);
 }
 
-/// Readings of which a coordinate lies more than 4.5 robust standard deviations off, by the
-/// residual's own spread (a misfit widens it). None where they are so many that they are no
-/// outliers. `y`: rows projected off U; `sigma` > 0: known, else found.
+/// Readings that lie further off than a coordinate is at 4.5 standard deviations, by the residuals'
+/// own spread (a misfit widens it). Positions and rotations are judged by their length, so that the
+/// axes of the measurement frame do not matter. None where they are so many that they are no
+/// outliers. `y`: whitened rows, projected off U.
 std::vector<bool> FlagOutliers(const Eigen::VectorXd& y, const Eigen::MatrixXd& U, int coordinates);
 
 /// True if the flagged readings' residuals point along the motion of one joint, or of one axis of

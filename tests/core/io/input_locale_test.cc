@@ -8,7 +8,7 @@
 #include "core/io/problem_reader.h"
 #include "core/io/recording_reader.h"
 #include "tests/core/io/comma_locale.h"
-#include "tests/core/io/temp_file.h"
+#include "tests/support/temp_file.h"
 
 namespace dhcal {
 namespace {

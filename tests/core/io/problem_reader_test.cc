@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
-#include "tests/core/io/temp_file.h"
+#include "tests/support/temp_file.h"
 
 namespace dhcal {
 namespace {

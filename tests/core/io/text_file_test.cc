@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/core/io/temp_file.h"
+#include "tests/support/temp_file.h"
 
 namespace dhcal {
 namespace {

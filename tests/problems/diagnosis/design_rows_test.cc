@@ -1,10 +1,12 @@
 // The rows of the diagnosis are those of the residual blocks: same derivatives, same residuals.
 #include "problems/diagnosis/design_rows.h"
 
+#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "core/base/rng.h"
 #include "core/solver/linearization.h"
 #include "problems/assembly.h"
 #include "problems/diagnosis/projection.h"
@@ -81,6 +83,39 @@ TEST(FlagOutliers, FindsTheOddReadingsAndNoOthers) {
   const auto flagged = FlagOutliers(y, Eigen::MatrixXd::Zero(300, 0), 3);
   for (std::size_t k = 0; k < flagged.size(); ++k) {
     EXPECT_EQ(flagged[k], k == 10 || k == 66) << k;
+  }
+}
+
+TEST(FlagOutliers, DoesNotDependOnTheAxes) {
+  const Eigen::Matrix3d R = MakeFrame({0, 0, 0}, {0.3, -0.8, 1.9}).linear();
+  Eigen::MatrixXd U = OrthonormalBasis(Eigen::MatrixXd::Random(300, 12));
+  Eigen::VectorXd y = Eigen::VectorXd::Random(300);
+  // Heavy tails, so that many readings lie near the border.
+  for (double& value : y) value = value * value * value * value * value;
+  Eigen::VectorXd turned_y = y;
+  Eigen::MatrixXd turned_U = U;
+  for (Eigen::Index first = 0; first < 300; first += 3) {
+    turned_y.segment<3>(first) = R * y.segment<3>(first);
+    turned_U.middleRows(first, 3) = R * U.middleRows(first, 3);
+  }
+  EXPECT_EQ(FlagOutliers(y, U, 3), FlagOutliers(turned_y, turned_U, 3));
+}
+
+TEST(FlagOutliers, AModelThatFitsFarBelowTheNoiseHasNone) {
+  Eigen::VectorXd y = 1e-6 * Eigen::VectorXd::Random(300);
+  y[31] = 1e-3;
+  const auto flagged = FlagOutliers(y, Eigen::MatrixXd::Zero(300, 0), 3);
+  EXPECT_EQ(std::count(flagged.begin(), flagged.end(), true), 0);
+}
+
+TEST(FlagOutliers, FlagsNormalNoiseAsRarelyAsItSays) {
+  // 2e-5 per reading: of 30,000 none or a few.
+  Rng rng(3);
+  for (const int coordinates : {1, 3, 6}) {
+    Eigen::VectorXd y(30000 * coordinates);
+    for (double& value : y) value = rng.Normal();
+    const auto flagged = FlagOutliers(y, Eigen::MatrixXd::Zero(y.size(), 0), coordinates);
+    EXPECT_LE(std::count(flagged.begin(), flagged.end(), true), 5) << coordinates;
   }
 }
 

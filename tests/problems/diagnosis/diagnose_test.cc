@@ -13,13 +13,8 @@
 #include "problems/identify.h"
 #include "tests/support/recorder.h"
 #include "tests/support/robots.h"
+#include "tests/support/sanitized.h"
 #include "tools/support/study_scenarios.h"
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
 
 namespace dhcal {
 namespace {

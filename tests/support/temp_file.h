@@ -1,7 +1,8 @@
 // A file for one test.
-#ifndef DHCAL_TESTS_CORE_IO_TEMP_FILE_H_
-#define DHCAL_TESTS_CORE_IO_TEMP_FILE_H_
+#ifndef DHCAL_TESTS_SUPPORT_TEMP_FILE_H_
+#define DHCAL_TESTS_SUPPORT_TEMP_FILE_H_
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -18,6 +19,9 @@ class TempFile {
   explicit TempFile(std::string_view content, const std::string& ending = ".txt")
       : path_(testing::TempDir() + "dhcal_" + std::to_string(getpid()) + "_" +
               testing::UnitTest::GetInstance()->current_test_info()->name() + ending) {
+    // Of a parameterised test the name holds a slash.
+    std::replace(
+        path_.begin() + static_cast<long>(testing::TempDir().size()), path_.end(), '/', '_');
     std::ofstream stream(path_, std::ios::binary);
     stream.write(content.data(), static_cast<std::streamsize>(content.size()));
   }
@@ -33,4 +37,4 @@ class TempFile {
 
 }  // namespace dhcal
 
-#endif  // DHCAL_TESTS_CORE_IO_TEMP_FILE_H_
+#endif  // DHCAL_TESTS_SUPPORT_TEMP_FILE_H_
