@@ -53,6 +53,7 @@ std::string MeasurementYaml(const Trial& trial) {
 std::string ProblemYaml(const Trial& trial,
                         const std::string& name,
                         const std::string& head,
+                        const std::string& estimate,
                         const std::string& effects,
                         const std::string& diagnosis) {
   return fmt::format(
@@ -62,7 +63,7 @@ std::string ProblemYaml(const Trial& trial,
       name,
       RobotYaml(trial),
       MeasurementYaml(trial),
-      trial.estimate,
+      estimate,
       effects,
       diagnosis);
 }
@@ -75,7 +76,7 @@ std::string EffectsYaml(const Trial& trial) {
     if (cause.joint > 0) text += fmt::format(", joint: {}", cause.joint);
     for (const auto& [key, value] : cause.settings)
       text += fmt::format(", {}: {:.12g}", key, value);
-    text += "}\n";
+    text += "}\n" + cause.more;
   }
   return text;
 }
@@ -121,7 +122,7 @@ std::string Answer(const Trial& trial, const std::string& name) {
   }
   if (LibraryHasAll(trial)) {
     answer["oracle_problem"] =
-        ProblemYaml(trial, name + "_oracle", "", EffectsYaml(trial), "{run: never}");
+        ProblemYaml(trial, name + "_oracle", "", "[complete]", EffectsYaml(trial), "{run: never}");
   }
   // Whoever knows the scenarios must not find the answer by trying their hashes.
   Rng rng(trial.seed * 104729 + 71);
@@ -195,7 +196,7 @@ CaseFiles FilesOf(const Trial& trial) {
       "# sha256 of the sealed answer: {}\n",
       Sha256(files.answer));
   // The name of the case would give the scenario away to the program; the folder has it.
-  files.problem = ProblemYaml(trial, "concealed", head, "", "{run: always}");
+  files.problem = ProblemYaml(trial, "concealed", head, trial.estimate, "", "{run: always}");
   files.recording = RecordingCsv(trial);
   return files;
 }

@@ -48,6 +48,10 @@ Cause YieldsSoftly(int joint, double compliance, double soft_torque) {
   Cause cause = Named("joint_compliance", joint, joint == 2 ? "C1" : "elastic");
   // No single number is its compliance: none is compared.
   cause.also = {"torsion_nonlinearity"};
+  cause.more =
+      fmt::format("    - {{effect: torsion_nonlinearity, joint: {}, soft_torque_Nm: {:g}}}\n",
+                  joint,
+                  soft_torque);
   cause.apply = [=](Physics* physics, double scale) {
     Drive& drive = physics->drives[Index(joint)];
     drive.compliance += scale * compliance;

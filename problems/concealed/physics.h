@@ -39,7 +39,7 @@ struct Coupling {
 /// A spring between the column and link 2: acts on joint 2 alone.
 struct Balancer {
   double stiffness = 0;                          // [N/m]; 0 = none
-  double rest = 0.3, column = 0.35, link = 0.2;  // [m] free length and lever arms
+  double rest = 0.3, column = 0.6, link = 0.15;  // [m] free length and lever arms
   double phase = 0.3;                            // [rad]
 };
 

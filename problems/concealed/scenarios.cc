@@ -218,7 +218,8 @@ void ThreeAtOnce(Trial* trial, Rng* rng) {
 
 void YieldsWithBalancer(Trial* trial, Rng* rng) {
   TakeWide(trial, rng);
-  trial->causes = {Yields(2, trial->drawing.main_compliance), Balanced(2e4 * TorqueScale(*trial))};
+  // A spring that carries about 40 % of the gravity torque.
+  trial->causes = {Yields(2, trial->drawing.main_compliance), Balanced(4e3 * TorqueScale(*trial))};
   // The spring hides part of the gravity torque: the compliance alone is not compared.
   trial->causes[0].values.clear();
 }

@@ -26,6 +26,7 @@ struct Cause {
   std::string effect_class, location;
   std::string slot;    // where it acts, in the words of the mismatch map
   int parameters = 1;  // that describe it
+  std::string more;    // further effects of the oracle's problem file, as YAML
   /// Names that mean the same on such data ("joint_gain" of the same joint, for one).
   std::vector<std::string> also;
   /// Puts it in, `scale` times.

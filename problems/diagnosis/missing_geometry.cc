@@ -12,6 +12,7 @@
 #include "problems/diagnosis/projection.h"
 #include "problems/noise.h"
 #include "problems/parameter_values.h"
+#include "problems/prediction.h"
 
 namespace dhcal {
 namespace {
@@ -111,6 +112,12 @@ void AddMissingGeometry(const ProblemSpec& spec,
     finding.rms_train_after = sigma * std::sqrt(y.squaredNorm() / static_cast<double>(y.size()));
     d->findings.push_back(finding);
   }
+  if (d->findings.empty() || user.readings.test.empty()) return;
+  // Rows never fitted: by the file's own answer, and by the complete geometry.
+  d->validation_method = "set column";
+  d->rms_test_before = Statistics(user, zero, user.readings.test).rms;
+  const Calibration& c = complete.calibration;
+  d->rms_test_after = Statistics(c, complete.state(), c.readings.test).rms;
 }
 
 }  // namespace dhcal

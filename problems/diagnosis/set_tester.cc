@@ -20,6 +20,7 @@ constexpr double kImmaterial = 0.02 * 0.02;
 constexpr double kImmaterialSamePlace = 0.04 * 0.04;
 // No maximum of a few hundred normal scores comes near.
 constexpr double kHopeless = 7.0;
+constexpr char kScaleClass[] = "C7";
 constexpr std::size_t kMostRefined = 4;
 // Lines of one joint's gear that are followed.
 constexpr int kMostLines = 8;
@@ -41,6 +42,9 @@ void SetTester::Rebuild() {
       space_->Tests(options_.nu, options_.sigma_known, options_.draws, options_.seed));
   names_.clear();
   for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
+    // A scale is what free lengths can always do: its column holds the residual itself, and to name
+    // it would be wrong by construction (physics.md, finding 2).
+    if (at(k).place.effect_class == kScaleClass) continue;
     if (at(k).named && MayBeNamed(at(k).request.effect)) names_.push_back(k);
   }
   const std::vector<BlockScore> scores = tests_->Scores({});
