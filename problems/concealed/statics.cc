@@ -11,7 +11,7 @@ using Eigen::VectorXd;
 
 constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr int kMostIterations = 60;
-constexpr double kAtRest = 1e-14;  // [rad] largest change of a joint
+constexpr double kAtRest = 1e-14;  // [m], [1] largest change of the last link's motion
 
 struct Load {
   Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
@@ -124,21 +124,18 @@ Isometry3d Equilibrium(const Arm& arm,
                        const Circumstances& at) {
   std::vector<Isometry3d> bends(static_cast<std::size_t>(arm.num_joints()), Isometry3d::Identity());
   VectorXd twist = VectorXd::Zero(arm.num_joints());
-  std::vector<Isometry3d> motions;
+  std::vector<Isometry3d> motions = screws.Motions(q + at.held, bends);
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
-    motions = screws.Motions(q + at.held + twist, bends);
     VectorXd torque = GravityTorques(arm, screws, motions, at.payload);
     if (arm.num_joints() > 1) torque[1] += SpringTorque(physics.balancer, q[1]);
-    VectorXd next(arm.num_joints());
     for (int j = 0; j < arm.num_joints(); ++j) {
-      next[j] = TwistOf(physics.drives[static_cast<std::size_t>(j)], torque[j]);
+      twist[j] = TwistOf(physics.drives[static_cast<std::size_t>(j)], torque[j]);
     }
     bends = Bends(arm, screws, physics, motions, at);
-    const double change = (next - twist).cwiseAbs().maxCoeff();
-    twist = next;
-    if (iteration > 2 && change < kAtRest) break;
+    const Isometry3d before = motions.back();
+    motions = screws.Motions(q + at.held + twist, bends);
+    if ((motions.back().matrix() - before.matrix()).cwiseAbs().maxCoeff() < kAtRest) break;
   }
-  motions = screws.Motions(q + at.held + twist, bends);
   const Vector3d overturning =
       LoadBeyond(arm, screws, motions, at.payload, 1, Vector3d::Zero()).moment;
   const Vector3d tilt(physics.base_compliance.x() * overturning.x(),

@@ -46,6 +46,7 @@ double ErrorOf(const Physics& physics, int joint, const VectorXd& q) {
 /// Integrated exactly over steps much shorter than the lags.
 std::vector<double> Warmth(const std::vector<ThermalBody>& bodies, double time) {
   std::vector<double> state(bodies.size(), 0.0);
+  if (bodies.empty()) return state;
   const int steps = std::max(1, static_cast<int>(time / 10));
   const double dt = time / steps;
   for (int step = 0; step < steps; ++step) {

@@ -19,6 +19,7 @@ CLEAN = {
     "core/report/text.h": '#pragma once\n#include "core/math/rotation.h"\n',
     "residuals/position.h": '#pragma once\n#include "core/report/text.h"\n',
     "problems/task.cc": '#include "residuals/position.h"\n#include "core/math/rotation.h"\n',
+    "problems/concealed/truth.cc": '#include "core/base/status.h"\n',
     "tools/support/cli.h": '#pragma once\n#include "core/base/status.h"\n',
     "tools/main.cc": '#include "tools/support/cli.h"\n',
     "tests/core/math/rotation_test.cc": '#include "core/math/rotation.h"\n#include <gtest/gtest.h>\n',
@@ -56,6 +57,12 @@ class CheckLayersTest(unittest.TestCase):
         status, output = check({})
         self.assertEqual(status, 0, output)
         self.assertIn(f"{len(CLEAN)} files keep to the layers", output)
+
+    def test_rejects_a_concealed_simulator_that_shares_code_with_what_it_judges(self):
+        for target in ("core/math/rotation.h", "residuals/position.h"):
+            self.expect_violation(
+                "problems/concealed/truth.cc", f'#include "{target}"\n', "problems/concealed/ may include only"
+            )
 
     def test_rejects_core_that_includes_residuals(self):
         text = '#pragma once\n\n#include "residuals/position.h"\n'
