@@ -10,6 +10,7 @@
 #ifndef DHCAL_CORE_PHYSICS_EFFECT_H_
 #define DHCAL_CORE_PHYSICS_EFFECT_H_
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -87,6 +88,12 @@ class Effect {
   virtual std::vector<EffectColumn> ShapeErrors(const PhysicsContext& /*context*/,
                                                 const EffectRequest& /*request*/) const {
     return {};
+  }
+  /// The same effect without the numbers that its shape rests on (masses): more parameters, for a
+  /// fit that the stated numbers do not bring down to the noise. Nothing where there is no such.
+  virtual std::optional<EffectRequest> WithFreeShape(const PhysicsContext& /*context*/,
+                                                     const EffectRequest& /*request*/) const {
+    return std::nullopt;
   }
   /// The instances that a diagnosis tries, settings included.
   virtual std::vector<EffectRequest> Candidates(const PhysicsContext& context) const = 0;

@@ -135,6 +135,10 @@ Eigen::VectorXd GravityTorque(const PhysicsContext& context, const MassCase& mas
 
 std::vector<MassCase> MassCases(const PhysicsContext& context, int joint) {
   if (!context.robot().links.empty()) return {OwnMasses(context)};
+  return FreeMassCases(context, joint);
+}
+
+std::vector<MassCase> FreeMassCases(const PhysicsContext& context, int joint) {
   std::vector<MassCase> cases = MinimalCases(context, joint);
   if (context.payload_varies()) {
     MassCase carried = Empty(context);

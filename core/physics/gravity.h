@@ -47,6 +47,9 @@ Eigen::VectorXd GravityTorque(const PhysicsContext& context, const MassCase& mas
 /// payload varies, the carried mass as one more.
 std::vector<MassCase> MassCases(const PhysicsContext& context, int joint);
 
+/// The minimal cases, whether masses are given or not.
+std::vector<MassCase> FreeMassCases(const PhysicsContext& context, int joint);
+
 /// How far nominal masses may be off, as cases of one standard deviation each: every mass by 30 %,
 /// every centre by 50 mm, the payload by 2 kg.
 std::vector<MassCase> MassErrors(const PhysicsContext& context);

@@ -75,6 +75,7 @@ Cause Balanced(double stiffness) {
   Cause cause = Named("gravity_balancer", 2, "C2");
   cause.parameters = 4;
   cause.also = {"gear_harmonic", "joint_gain"};
+  cause.like_masses = true;
   cause.apply = [=](Physics* physics, double scale) {
     physics->balancer.stiffness = scale * stiffness;
   };
@@ -110,6 +111,8 @@ Cause Plays(int joint, double gap) {
 Cause PlaysUnderLoad(int joint, double gap, double preload) {
   Cause cause = Named("backlash", joint, "C4");
   cause.settings = {{"flank", 1}};
+  // Near zero torque the approach decides: the change of flank is gradual, like a short soft zone.
+  cause.also = {"torsion_nonlinearity"};
   cause.apply = [=](Physics* physics, double scale) {
     physics->drives[Index(joint)].play += scale * gap;
     physics->drives[Index(joint)].preload = preload;

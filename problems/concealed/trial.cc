@@ -60,15 +60,40 @@ MatrixXd KnownBeside(const MatrixXd& geometry, const MatrixXd& signals, Index ca
   return known;
 }
 
+/// What other masses and centres of the links would change, through all physics of the trial.
+MatrixXd MassSignatures(const Trial& trial) {
+  constexpr double kMassStep = 0.01;  // [kg], [kg m] over the mass
+  const Physics physics = AllPhysics(trial);
+  MatrixXd signatures(3 * trial.motion.num_poses(), 4 * trial.built.num_joints());
+  for (Index k = 0; k < signatures.cols(); ++k) {
+    Arm more = trial.built, less = trial.built;
+    const auto link = static_cast<std::size_t>(k / 4);
+    if (k % 4 == 3) {
+      more.links[link].mass += kMassStep;
+      less.links[link].mass -= kMassStep;
+    } else {
+      more.links[link].com[k % 4] += kMassStep;
+      less.links[link].com[k % 4] -= kMassStep;
+    }
+    signatures.col(k) = Stacked(TruePositions(more, physics, trial.motion) -
+                                TruePositions(less, physics, trial.motion));
+  }
+  return AsMeasured(trial, signatures);
+}
+
 void Weigh(Trial* trial, const MatrixXd& geometry) {
   const MatrixXd signals = Fitted(*trial, Signals(*trial));
   for (std::size_t k = 0; k < trial->causes.size(); ++k) {
     const auto column = static_cast<Index>(k);
     Cause& cause = trial->causes[k];
-    cause.visibility = VisibilityOf(signals.col(column),
-                                    KnownBeside(geometry, signals, column),
-                                    trial->sensor.noise,
-                                    cause.parameters);
+    MatrixXd known = KnownBeside(geometry, signals, column);
+    if (cause.like_masses) {
+      const MatrixXd masses = Fitted(*trial, MassSignatures(*trial));
+      known.conservativeResize(Eigen::NoChange, known.cols() + masses.cols());
+      known.rightCols(masses.cols()) = masses;
+    }
+    cause.visibility =
+        VisibilityOf(signals.col(column), known, trial->sensor.noise, cause.parameters);
   }
 }
 

@@ -27,6 +27,8 @@ struct Cause {
   std::string slot;    // where it acts, in the words of the mismatch map
   int parameters = 1;  // that describe it
   std::string more;    // further effects of the oracle's problem file, as YAML
+  /// Wrong masses in the file could look like it: only what they cannot imitate counts as visible.
+  bool like_masses = false;
   /// Names that mean the same on such data ("joint_gain" of the same joint, for one).
   std::vector<std::string> also;
   /// Puts it in, `scale` times.

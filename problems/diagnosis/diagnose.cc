@@ -21,6 +21,7 @@
 #include "problems/diagnosis/hypotheses.h"
 #include "problems/diagnosis/missing_geometry.h"
 #include "problems/diagnosis/projection.h"
+#include "problems/diagnosis/refit.h"
 #include "problems/diagnosis/search.h"
 #include "problems/diagnosis/verdict.h"
 #include "problems/noise.h"
@@ -159,63 +160,6 @@ void Populate(const ProblemSpec& spec, HypothesisSpace* space, DiagnosisResult* 
   for (const MapBlock& block : MapBlocks(context)) space->AddMap(block);
 }
 
-/// True if a finding stands for a request: its own, or another line of its joint's gear.
-bool StandsFor(const Finding& finding, const EffectRequest& request) {
-  if (finding.effect.SameAs(request)) return true;
-  return request.effect == "gear_harmonic" && finding.effect.effect == request.effect &&
-         finding.effect.joint == request.joint;
-}
-
-/// Fits the names together with the geometry and takes back those that rows not fitted speak
-/// against, until all that are left predict them. True if any was taken back.
-bool RefitAndJudge(const ProblemSpec& spec,
-                   const Recording& recording,
-                   const Calibration& c,
-                   const CleanRows& clean,
-                   std::vector<EffectRequest> names,
-                   const Progress& say,
-                   DiagnosisResult* d) {
-  std::vector<Reading> fitted;
-  const std::set<int> off(clean.outliers.begin(), clean.outliers.end());
-  for (const Reading& reading : c.readings.fitted) {
-    if (off.count(reading.row_idx) == 0) fitted.push_back(reading);
-  }
-  const auto before = FitComplete(spec, recording, {}, &fitted, {});
-  if (!before->usable()) return true;
-  bool withdrawn = false;
-  while (!names.empty()) {
-    say(fmt::format("refit with {} effects", names.size()));
-    const auto after = FitComplete(spec, recording, names, &fitted, {});
-    if (!after->usable()) {
-      d->notes.push_back("The fit with the named effects failed: " + after->fit.summary.message);
-      return true;
-    }
-    std::vector<Finding> findings = DescribeFindings(names, *before, *after, d);
-    // The one that hurts the prediction most goes first: the others may then predict better.
-    const auto worst = std::min_element(findings.begin(), findings.end(), [](auto& a, auto& b) {
-      return a.delta_log_predictive < b.delta_log_predictive;
-    });
-    const bool hold = c.readings.test.empty() ? d->rms_test_after < d->rms_test_before
-                                              : !TestRowsSpeakAgainst(*before, *after);
-    if (worst->delta_log_predictive >= 0 && hold) {
-      std::move(findings.begin(), findings.end(), std::back_inserter(d->findings));
-      const std::vector<MovedParameter> moved = MovedParameters(*before, *after);
-      d->moved.insert(d->moved.end(), moved.begin(), moved.end());
-      return withdrawn;
-    }
-    withdrawn = true;
-    d->notes.push_back(fmt::format(
-        "{} fits the rows but does not help to predict rows left out; it was withdrawn.",
-        InstanceName(worst->effect)));
-    const Finding gone = *worst;
-    names.erase(
-        std::remove_if(
-            names.begin(), names.end(), [&](const EffectRequest& e) { return StandsFor(gone, e); }),
-        names.end());
-  }
-  return withdrawn;
-}
-
 void DescribeMisfit(const CompleteFit& fit,
                     const CleanRows& clean,
                     const SearchOutcome& outcome,
@@ -254,6 +198,16 @@ std::string SlowExcess(double rho) {
       "What is left of neighbouring readings correlates ({:.2f}) and exceeds the stated noise: "
       "something changes slowly in time. Serial noise would look the same, so it is given no name.",
       rho);
+}
+
+/// All readings to be fitted but those that lie off.
+std::vector<Reading> GoodReadings(const Calibration& c, const CleanRows& clean) {
+  const std::set<int> off(clean.outliers.begin(), clean.outliers.end());
+  std::vector<Reading> good;
+  for (const Reading& reading : c.readings.fitted) {
+    if (off.count(reading.row_idx) == 0) good.push_back(reading);
+  }
+  return good;
 }
 
 /// Something is there; nothing that was found may be named.
@@ -349,10 +303,11 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   for (const int k : outcome.accepted) {
     names.push_back(pass->space.all()[static_cast<std::size_t>(k)].request);
   }
-  const bool withdrawn =
-      !names.empty() && RefitAndJudge(spec, recording, c, pass->clean, names, say, &d);
+  const bool rest_left =
+      !names.empty() &&
+      RefitAndJudge(spec, recording, GoodReadings(c, pass->clean), names, say, &d);
   say("what is hidden");
-  Conclude(*before, pass->space, outcome, withdrawn, &d);
+  Conclude(*before, pass->space, outcome, rest_left, &d);
   d.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return d;
 }

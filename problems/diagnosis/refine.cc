@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kBits = 20;
 constexpr std::size_t kMostInstants = 200;
-constexpr double kTorqueRange = 3;  // neighbouring candidates are closer
+constexpr double kTorqueRange = 1.7;  // half way to the neighbouring candidates
 
 std::string ScannedKey(const EffectRequest& request) {
   for (const char* const key : {"at_s", "at_row", "time_constant_s", "soft_torque_Nm"}) {

@@ -262,7 +262,7 @@ std::string Names(const DiagnosisResult& d) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-void Decide(const SearchOutcome& out, bool withdrawn, DiagnosisResult* d) {
+void Decide(const SearchOutcome& out, bool rest_left, DiagnosisResult* d) {
   std::size_t physics = 0;
   bool confusable = false;
   for (const Finding& finding : d->findings) {
@@ -279,7 +279,7 @@ void Decide(const SearchOutcome& out, bool withdrawn, DiagnosisResult* d) {
   } else if (physics == 0) {
     d->verdict = DiagnosisVerdict::kUnexplained;
     d->summary = "something is left out that no effect of the library describes";
-  } else if (!out.complete || withdrawn) {
+  } else if (!out.complete || rest_left) {
     d->verdict = DiagnosisVerdict::kPartlyExplained;
     d->summary = "explained in part by " + Names(*d) + "; the rest is above the noise";
   } else if (confusable) {
@@ -297,7 +297,7 @@ void Decide(const SearchOutcome& out, bool withdrawn, DiagnosisResult* d) {
 void Conclude(const CompleteFit& geometry,
               const HypothesisSpace& space,
               const SearchOutcome& outcome,
-              bool withdrawn,
+              bool rest_left,
               DiagnosisResult* d) {
   const double sigma_scale =
       d->misfit.noise_known
@@ -306,7 +306,7 @@ void Conclude(const CompleteFit& geometry,
   FillMap(space, outcome, d);
   FillHypotheses(space, outcome, d);
   if (outcome.complete) AddAlternatives(geometry, space, outcome, d);
-  Decide(outcome, withdrawn, d);
+  Decide(outcome, rest_left, d);
   const bool rest = d->verdict == DiagnosisVerdict::kPartlyExplained ||
                     d->verdict == DiagnosisVerdict::kUnexplained;
   if (rest) AddUnexplained(space, outcome, sigma_scale, d);

@@ -9,11 +9,11 @@
 namespace dhcal {
 
 /// Lists the alternatives, what is left and what is hidden, and says which verdict that makes.
-/// `withdrawn`: names that fit were taken back.
+/// `rest_left`: names that fit were taken back, or their refit stays above the noise.
 void Conclude(const CompleteFit& geometry,
               const HypothesisSpace& space,
               const SearchOutcome& outcome,
-              bool withdrawn,
+              bool rest_left,
               DiagnosisResult* diagnosis);
 
 }  // namespace dhcal

@@ -4,8 +4,9 @@
 //
 // tau_j is gravity's torque about the joint's axis in DH's sense, so a real c is positive. With
 // `links` the parameter is c. Without, tau is linear in unknown moments: one parameter per minimal
-// moment, each the product c x moment, and c itself only from a payload that changes. With the
-// setting measured_torque = 1, tau is the recording's torque column.
+// moment, each the product c x moment, and c itself only from a payload that changes. The setting
+// free_masses = 1 does so although masses are given (they may be wrong). With the setting
+// measured_torque = 1, tau is the recording's torque column.
 // Typical: 2-6e5 N m/rad at joints 2 and 3 of a 15 kg arm (c = 2-5 urad/(N m)), 1-5e4 in its wrist.
 // Source: physics.md E1; rigidity of RV-20E/40E/80E gears 49/108/196 N m/arcmin.
 // Worked number: 100 N m at 3e-6 rad/(N m) turn the joint by 0.3 mrad.
@@ -30,6 +31,8 @@ bool UsesMeasuredTorque(const EffectRequest& request) {
   return request.setting("measured_torque", 0) != 0;
 }
 
+bool FreesMasses(const EffectRequest& request) { return request.setting("free_masses", 0) != 0; }
+
 class JointComplianceEffect final : public Effect {
  public:
   EffectDescription Describe() const override {
@@ -37,7 +40,8 @@ class JointComplianceEffect final : public Effect {
             "a joint yields elastically under the torque of gravity and payload",
             "d theta_j = c tau_j",
             "compliance [rad/(N m)]; without masses compliance_x_<moment>",
-            {{"measured_torque", "1 = use the torque column"}},
+            {{"measured_torque", "1 = use the torque column"},
+             {"free_masses", "1 = do not trust robot.links"}},
             "robot.links for c itself; torque<j>_Nm with measured_torque",
             "2-6 urad/(N m) at joints 1-3, 20-100 in the wrist [physics.md E1]"};
   }
@@ -59,7 +63,8 @@ class JointComplianceEffect final : public Effect {
       return {Column(c, joint, "compliance", "rad/(N m)", 1.0, MeasuredLoad(c, joint))};
     }
     std::vector<EffectColumn> columns;
-    for (const MassCase& mass_case : MassCases(c, joint)) {
+    for (const MassCase& mass_case :
+         FreesMasses(request) ? FreeMassCases(c, joint) : MassCases(c, joint)) {
       const bool known = mass_case.name.empty();
       columns.push_back(Column(c,
                                joint,
@@ -75,13 +80,21 @@ class JointComplianceEffect final : public Effect {
   std::vector<EffectColumn> ShapeErrors(const PhysicsContext& c,
                                         const EffectRequest& request) const override {
     std::vector<EffectColumn> columns;
-    if (UsesMeasuredTorque(request)) return columns;
+    if (UsesMeasuredTorque(request) || FreesMasses(request)) return columns;
     const int joint = JointIndex(request);
     for (const MassCase& error : MassErrors(c)) {
       columns.push_back(
           Column(c, joint, "mass_error", "rad/(N m)", 1.0, GravityTorque(c, error, joint)));
     }
     return columns;
+  }
+
+  std::optional<EffectRequest> WithFreeShape(const PhysicsContext& c,
+                                             const EffectRequest& request) const override {
+    if (c.robot().links.empty() || UsesMeasuredTorque(request)) return std::nullopt;
+    EffectRequest freer = request;
+    freer.settings["free_masses"] = 1;
+    return freer;
   }
 
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
@@ -104,9 +117,11 @@ class JointComplianceEffect final : public Effect {
           "joint {} yields {} under {}", request.joint, Quantity(c, kMicro, "urad per N m"), load);
     }
     std::string text = fmt::format(
-        "joint {} yields under gravity; the masses are not known, so "
-        "only products with the compliance are: ",
-        request.joint);
+        "joint {} yields under gravity; the masses are not {}, so only products with the "
+        "compliance "
+        "are known: ",
+        request.joint,
+        FreesMasses(request) ? "as stated" : "given");
     for (std::size_t k = 0; k < values.size(); ++k) {
       const EffectValue& value = values[k];
       const std::string moment = value.parameter.substr(std::string("compliance_x_").size());

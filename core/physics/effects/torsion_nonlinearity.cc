@@ -5,10 +5,11 @@
 //
 // Added to joint_compliance it describes the soft zone of harmonic drives and cycloid gears (three
 // stiffness regions K1 < K2 < K3): smoothly, with c3 < 0 beside c > 0, or as the makers state it,
-// with the torque T up to which the gear is softer by c1. A small T is like play that gravity
-// takes up (backlash with flank = 1). Needs masses: neither is linear in unknown moments.
-// Typical: K2/K1 = 1.3-1.6, so c3 tau^2 is about -0.1 c at the largest torque. Source: physics.md
-// G4. Worked number: row 2 of the example, tau_3 = 0 N m carried: see the conformance test.
+// with the torque T up to which the gear is softer by c1. A small T is lost motion: play that
+// gravity takes up (backlash with flank = 1) looks the same, so its class is that of play. Needs
+// masses: neither is linear in unknown moments. Typical: K2/K1 = 1.3-1.6, so c3 tau^2 is about -0.1
+// c at the largest torque. Source: physics.md G4. Worked number: row 2 of the example, tau_3 = 0 N
+// m carried: see the conformance test.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -20,12 +21,19 @@ namespace dhcal {
 namespace {
 
 constexpr char kSoftTorque[] = "soft_torque_Nm";
+constexpr double kShortZone = 0.15;  // of the largest torque
 
 Eigen::VectorXd Torque(const PhysicsContext& c, const EffectRequest& request) {
   const int joint = JointIndex(request);
   return request.setting("measured_torque", 0) != 0
              ? MeasuredLoad(c, joint)
              : GravityTorque(c, MassCases(c, joint).front(), joint);
+}
+
+/// A soft zone so short that it cannot be told from play that gravity takes up.
+bool IsLostMotion(const PhysicsContext& c, const EffectRequest& request) {
+  const double end = request.setting(kSoftTorque, 0);
+  return end > 0 && end < kShortZone * Torque(c, request).cwiseAbs().maxCoeff();
 }
 
 class TorsionNonlinearityEffect final : public Effect {
@@ -83,7 +91,11 @@ class TorsionNonlinearityEffect final : public Effect {
   }
 
   EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {
-    return {JointIndex(request) == FirstLoadedJoint(c) ? "C1" : "elastic",
+    const bool lost_motion = IsLostMotion(c, request);
+    const bool shoulder = JointIndex(request) == FirstLoadedJoint(c);
+    return {lost_motion ? "C4"
+            : shoulder  ? "C1"
+                        : "elastic",
             JointName(request.joint),
             "gravity torque"};
   }
@@ -91,7 +103,7 @@ class TorsionNonlinearityEffect final : public Effect {
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     if (const double end = request.setting(kSoftTorque, 0); end > 0) {
-      return fmt::format("joint {} is softer by {} below {:.3g} N m",
+      return fmt::format("joint {} is softer by {} below {:.3g} N m (near zero load: or has play)",
                          request.joint,
                          Quantity(Find(values, "soft"), 1e-6, "urad per N m"),
                          end);

@@ -48,16 +48,15 @@ TEST_P(DesignRowsLaw, LeaveTheSameSquaresAsTheResidualBlocks) {
   const DesignRows rows(c, state, noise, c.readings.fitted);
   const Eigen::MatrixXd J = rows.Geometry(c.parameters);
 
-  // Shared readings come with one free offset per series; without what these explain, all is equal.
-  const auto num = static_cast<Eigen::Index>(c.parameters.size());
-  const Eigen::MatrixXd offsets = OrthonormalBasis(J.rightCols(J.cols() - num));
-  const Eigen::MatrixXd J_free = ProjectOff(offsets, J.leftCols(num));
-  const Eigen::VectorXd y = ProjectOff(offsets, rows.y());
   const Eigen::MatrixXd normal = linear.R.transpose() * linear.R;
   const Eigen::VectorXd right = linear.R.transpose() * linear.b;
-  EXPECT_LT((J_free.transpose() * J_free - normal).norm(), 1e-9 * normal.norm());
-  EXPECT_LT((J_free.transpose() * y - right).norm(), 1e-9 * right.norm());
-  EXPECT_NEAR(y.squaredNorm(), 2 * linear.cost(), 1e-9 * linear.cost());
+  EXPECT_LT((J.transpose() * J - normal).norm(), 1e-9 * normal.norm());
+  EXPECT_LT((J.transpose() * rows.y() - right).norm(), 1e-9 * right.norm());
+  EXPECT_NEAR(rows.y().squaredNorm(), 2 * linear.cost(), 1e-9 * linear.cost());
+  // A difference holds three readings; a series of shared ones has three rows more, and three
+  // offsets that take them away again.
+  EXPECT_EQ(rows.degrees_of_freedom(),
+            static_cast<int>(c.readings.fitted.size()) * NumCoordinates(GetParam().kind));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,0 +1,162 @@
+#include "problems/diagnosis/refit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/units.h"
+#include "core/math/statistics.h"
+#include "core/physics/registry.h"
+#include "problems/diagnosis/complete_fit.h"
+#include "problems/diagnosis/findings.h"
+#include "problems/noise.h"
+#include "problems/prediction.h"
+
+namespace dhcal {
+namespace {
+
+constexpr double kClearGain = 10;     // of BIC, for a freer shape
+constexpr double kMaterial = 0.09;    // variance above the noise: less than 0.3 of its deviation
+constexpr double kAboveNoise = 1e-3;  // probability of the rest by noise alone
+
+/// True if a finding stands for a request: its own, or another line of its joint's gear.
+bool StandsFor(const Finding& finding, const EffectRequest& request) {
+  if (finding.effect.SameAs(request)) return true;
+  return request.effect == "gear_harmonic" && finding.effect.effect == request.effect &&
+         finding.effect.joint == request.joint;
+}
+
+/// Squares of the fitted coordinates [m^2].
+double Squares(const CompleteFit& fit, const std::vector<Reading>& fitted) {
+  const double rms = Statistics(fit.calibration, fit.state(), fitted).rms;
+  return rms * rms * static_cast<double>(fitted.size());
+}
+
+class Refit {
+ public:
+  Refit(const ProblemSpec& spec, const Recording& recording, const std::vector<Reading>& fitted)
+      : spec_(spec), recording_(recording), fitted_(fitted) {}
+
+  std::unique_ptr<CompleteFit> With(const std::vector<EffectRequest>& names) const {
+    return FitComplete(spec_, recording_, names, &fitted_, {});
+  }
+
+  /// Frees the shapes that the readings ask to be freed.
+  std::unique_ptr<CompleteFit> Freed(std::unique_ptr<CompleteFit> fit,
+                                     std::vector<EffectRequest>* names) const {
+    const PhysicsContext context = fit->calibration.Context();
+    for (std::size_t i = 0; i < names->size(); ++i) {
+      const EffectRequest& name = (*names)[i];
+      const Effect& effect = *FindEffect(name.effect);
+      const std::optional<EffectRequest> freer = effect.WithFreeShape(context, name);
+      const bool known = SourceOfNoise(fit->calibration).all_given();
+      if (!freer || (known && !IsAboveNoise(*fit))) continue;
+      std::vector<EffectRequest> tried = *names;
+      tried[i] = *freer;
+      auto fit_freer = With(tried);
+      if (!fit_freer->usable()) continue;
+      const auto n = static_cast<double>(fitted_.size()) *
+                     NumCoordinates(fit->calibration.spec.measurement.kind);
+      const auto more = static_cast<double>(fit_freer->calibration.parameters.size() -
+                                            fit->calibration.parameters.size());
+      const double gain = n * std::log(Squares(*fit, fitted_) / Squares(*fit_freer, fitted_));
+      if (gain < more * std::log(n) + kClearGain) continue;
+      *names = tried;
+      fit = std::move(fit_freer);
+    }
+    return fit;
+  }
+
+  /// True if a fit stays above the noise by what matters.
+  bool IsAboveNoise(const CompleteFit& fit) const {
+    const Calibration& c = fit.calibration;
+    if (!SourceOfNoise(c).all_given()) return false;
+    double squares = 0, count = 0;
+    for (const Reading& reading : fitted_) {
+      const double sigma = c.RowSigma(reading.row_idx, fit.fit.noise_seen);
+      const Eigen::VectorXd left = Compare(c, fit.state(), reading).residual / sigma;
+      squares += left.squaredNorm();
+      count += static_cast<double>(left.size());
+    }
+    const double dof = count - static_cast<double>(c.parameters.size());
+    return dof > 0 && squares > (1 + kMaterial) * count &&
+           ChiSquareTail(squares, dof) < kAboveNoise;
+  }
+
+ private:
+  const ProblemSpec& spec_;
+  const Recording& recording_;
+  const std::vector<Reading>& fitted_;
+};
+
+/// Findings of freed shapes go by the name of the effect itself.
+void NameFreed(const std::vector<EffectRequest>& shapes,
+               const std::vector<EffectRequest>& names,
+               std::vector<Finding>* findings) {
+  for (Finding& finding : *findings) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (shapes[i].SameAs(names[i]) || !finding.effect.SameAs(shapes[i])) continue;
+      finding.effect = names[i];
+      finding.cautions.emplace_back(
+          "the masses of the problem file do not bring the fit down to the noise, so its moments "
+          "were fitted, too: the masses are not as stated, or a spring or counterweight helps the "
+          "joint");
+    }
+  }
+}
+
+}  // namespace
+
+bool RefitAndJudge(const ProblemSpec& spec,
+                   const Recording& recording,
+                   const std::vector<Reading>& fitted,
+                   std::vector<EffectRequest> names,
+                   const std::function<void(const std::string&)>& say,
+                   DiagnosisResult* d) {
+  const Refit refit(spec, recording, fitted);
+  const auto before = refit.With({});
+  if (!before->usable()) return true;
+  bool withdrawn = false;
+  while (!names.empty()) {
+    say(fmt::format("refit with {} effects", names.size()));
+    auto after = refit.With(names);
+    if (!after->usable()) {
+      d->notes.push_back("The fit with the named effects failed: " + after->fit.summary.message);
+      return true;
+    }
+    std::vector<EffectRequest> shapes = names;
+    after = refit.Freed(std::move(after), &shapes);
+    std::vector<Finding> findings = DescribeFindings(shapes, *before, *after, d);
+    NameFreed(shapes, names, &findings);
+    // The one that hurts the prediction most goes first: the others may then predict better.
+    const auto worst = std::min_element(findings.begin(), findings.end(), [](auto& a, auto& b) {
+      return a.delta_log_predictive < b.delta_log_predictive;
+    });
+    const bool hold = after->calibration.readings.test.empty()
+                          ? d->rms_test_after < d->rms_test_before
+                          : !TestRowsSpeakAgainst(*before, *after);
+    if (worst->delta_log_predictive >= 0 && hold) {
+      std::move(findings.begin(), findings.end(), std::back_inserter(d->findings));
+      const std::vector<MovedParameter> moved = MovedParameters(*before, *after);
+      d->moved.insert(d->moved.end(), moved.begin(), moved.end());
+      return withdrawn || refit.IsAboveNoise(*after);
+    }
+    withdrawn = true;
+    d->notes.push_back(fmt::format(
+        "{} fits the rows but does not help to predict rows left out; it was withdrawn.",
+        InstanceName(worst->effect)));
+    const Finding gone = *worst;
+    names.erase(
+        std::remove_if(
+            names.begin(), names.end(), [&](const EffectRequest& e) { return StandsFor(gone, e); }),
+        names.end());
+  }
+  return withdrawn;
+}
+
+}  // namespace dhcal
