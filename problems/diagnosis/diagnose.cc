@@ -137,13 +137,6 @@ void Populate(const ProblemSpec& spec, HypothesisSpace* space, DiagnosisResult* 
   for (const MapBlock& block : MapBlocks(context)) space->AddMap(block);
 }
 
-/// True if a finding stands for a request: its own, or another line of its joint's gear.
-bool StandsFor(const Finding& finding, const EffectRequest& request) {
-  if (finding.effect.SameAs(request)) return true;
-  return request.effect == "gear_harmonic" && finding.effect.effect == request.effect &&
-         finding.effect.joint == request.joint;
-}
-
 /// Fits the names together with the geometry and takes back those that rows not fitted speak
 /// against, until all that are left predict them. True if any was taken back.
 bool RefitAndJudge(const ProblemSpec& spec,
@@ -183,10 +176,11 @@ bool RefitAndJudge(const ProblemSpec& spec,
     d->notes.push_back(fmt::format(
         "{} fits the rows but does not help to predict rows left out; it was withdrawn.",
         InstanceName(worst->effect)));
-    const Finding gone = *worst;
+    const EffectRequest gone = worst->effect;
     names.erase(
-        std::remove_if(
-            names.begin(), names.end(), [&](const EffectRequest& e) { return StandsFor(gone, e); }),
+        std::remove_if(names.begin(),
+                       names.end(),
+                       [&](const EffectRequest& effect) { return OneFinding(gone, effect); }),
         names.end());
   }
   return withdrawn;

@@ -11,6 +11,9 @@
 
 namespace dhcal {
 
+/// True if two effects make one finding: the same one, or lines of one joint's gear.
+bool OneFinding(const EffectRequest& a, const EffectRequest& b);
+
 /// Findings of `effects`, the last ones among `after`'s; `before` is the complete geometry alone
 /// (and the problem file's own effects). Fills the diagnosis' totals as well.
 std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,
