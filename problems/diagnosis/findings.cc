@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 
@@ -130,14 +131,12 @@ void AddParameters(const std::vector<int>& columns,
   }
 }
 
-/// Effects that make one finding: each alone, but all lines of one joint's gear together.
+/// Effects by finding, in the order of each one's first.
 std::vector<std::vector<std::size_t>> Groups(const std::vector<EffectRequest>& effects) {
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < effects.size(); ++i) {
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
-      const EffectRequest& first = effects[group.front()];
-      return first.effect == "gear_harmonic" && effects[i].effect == first.effect &&
-             effects[i].joint == first.joint;
+      return OneFinding(effects[group.front()], effects[i]);
     });
     if (same == groups.end()) {
       groups.push_back({i});
@@ -169,6 +168,11 @@ bool TestRowsSpeakAgainst(const CompleteFit& before, const CompleteFit& after) {
     moved += (old - now).squaredNorm();
   }
   return gain < 0 && gain < moved - kTestSigmas * 2 * std::sqrt(moved);
+}
+
+bool OneFinding(const EffectRequest& a, const EffectRequest& b) {
+  const bool lines = a.effect == "gear_harmonic" && b.effect == a.effect && b.joint == a.joint;
+  return lines || a.SameAs(b);
 }
 
 std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,

@@ -11,6 +11,9 @@
 
 namespace dhcal {
 
+/// True if two effects make one finding: the same one, or lines of one joint's gear.
+bool OneFinding(const EffectRequest& a, const EffectRequest& b);
+
 /// True if the test rows get worse by more than chance would let them were the effects real: the
 /// gain of rows that an effect moves by s (in noise) has mean s's and variance 4 s's. Small effects
 /// may lose on few rows by chance. False without test rows.

@@ -24,13 +24,6 @@ constexpr double kClearGain = 10;     // of BIC, for a freer shape
 constexpr double kMaterial = 0.09;    // variance above the noise: less than 0.3 of its deviation
 constexpr double kAboveNoise = 1e-3;  // probability of the rest by noise alone
 
-/// True if a finding stands for a request: its own, or another line of its joint's gear.
-bool StandsFor(const Finding& finding, const EffectRequest& request) {
-  if (finding.effect.SameAs(request)) return true;
-  return request.effect == "gear_harmonic" && finding.effect.effect == request.effect &&
-         finding.effect.joint == request.joint;
-}
-
 /// Squares of the fitted coordinates [m^2].
 double Squares(const CompleteFit& fit, const std::vector<Reading>& fitted) {
   const double rms = Statistics(fit.calibration, fit.state(), fitted).rms;
@@ -150,10 +143,11 @@ bool RefitAndJudge(const ProblemSpec& spec,
     d->notes.push_back(fmt::format(
         "{} fits the rows but does not help to predict rows left out; it was withdrawn.",
         InstanceName(worst->effect)));
-    const Finding gone = *worst;
+    const EffectRequest gone = worst->effect;
     names.erase(
-        std::remove_if(
-            names.begin(), names.end(), [&](const EffectRequest& e) { return StandsFor(gone, e); }),
+        std::remove_if(names.begin(),
+                       names.end(),
+                       [&](const EffectRequest& effect) { return OneFinding(gone, effect); }),
         names.end());
   }
   return withdrawn;

@@ -100,12 +100,10 @@ std::vector<int> Alternatives(const SearchOutcome& out, int member) {
   return others;
 }
 
-void AddAlternatives(const CompleteFit& geometry,
+void AddAlternatives(const Elsewhere& elsewhere,
                      const HypothesisSpace& space,
                      const SearchOutcome& out,
                      DiagnosisResult* d) {
-  const Elsewhere elsewhere(
-      geometry.calibration, geometry.state(), space, geometry.calibration.parameters);
   for (Finding& finding : d->findings) {
     int member = -1;
     for (const int k : out.accepted) {
@@ -236,13 +234,11 @@ void AddUnexplained(const HypothesisSpace& space,
   d->unexplained->rms = sigma * std::sqrt(left / n);
 }
 
-void AddHidden(const CompleteFit& geometry,
+void AddHidden(const Elsewhere& elsewhere,
                const HypothesisSpace& space,
                const SearchOutcome& out,
                double sigma_scale,
                DiagnosisResult* d) {
-  const Elsewhere elsewhere(
-      geometry.calibration, geometry.state(), space, geometry.calibration.parameters);
   std::set<std::string> seen;
   for (const int k : out.accepted) seen.insert(At(space, k).family);
   for (int k = 0; k < static_cast<int>(space.all().size()); ++k) {
@@ -305,12 +301,14 @@ void Conclude(const CompleteFit& geometry,
           : std::sqrt((space.y().squaredNorm() - outcome.removed_by_all) / d->misfit.dof);
   FillMap(space, outcome, d);
   FillHypotheses(space, outcome, d);
-  if (outcome.complete) AddAlternatives(geometry, space, outcome, d);
+  const Elsewhere elsewhere(
+      geometry.calibration, geometry.state(), space, geometry.calibration.parameters);
+  if (outcome.complete) AddAlternatives(elsewhere, space, outcome, d);
   Decide(outcome, rest_left, d);
   const bool rest = d->verdict == DiagnosisVerdict::kPartlyExplained ||
                     d->verdict == DiagnosisVerdict::kUnexplained;
   if (rest) AddUnexplained(space, outcome, sigma_scale, d);
-  AddHidden(geometry, space, outcome, sigma_scale, d);
+  AddHidden(elsewhere, space, outcome, sigma_scale, d);
 }
 
 }  // namespace dhcal

@@ -2,6 +2,7 @@
 #include "problems/diagnosis/design_rows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -67,6 +68,40 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"adjacent", MeasurementKind::kAdjacentPosition, NoiseKind::kIndependent},
                     Kind{"shared", MeasurementKind::kAdjacentPosition, NoiseKind::kSharedPose}),
     [](const auto& param) { return std::string(param.param.name); });
+
+TEST(WhitenSerially, TakesTheReadingBeforeOutOfRowsAndColumnsAlikeWithinRuns) {
+  const TrueRobot truth = MakeTrueRobot(Kr15(), 5);
+  ProblemSpec spec = MakeSpec(truth.nominal, MeasurementKind::kPosition, NoiseKind::kIndependent);
+  spec.parameters.effects.resize(1);
+  spec.parameters.effects[0].effect = "joint_gain";
+  spec.parameters.effects[0].joint = 3;
+  RecordingPlan plan;
+  plan.poses = 20;
+  Recording recording = Record(truth, spec, plan);
+  recording.run_names = {"one", "two"};
+  for (int row = 0; row < 20; ++row) recording.run_idx.push_back(row < 8 ? 0 : 1);
+  const Calibration c(spec, recording);
+  const Eigen::VectorXd state =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(c.parameters.size()));
+  const DesignRows plain(c, state, {20e-6, 50e-6}, c.readings.fitted);
+  DesignRows white = plain;
+  ASSERT_TRUE(white.CanWhiten());
+  const double rho = 0.6, scale = 1 / std::sqrt(1 - rho * rho);
+  white.WhitenSerially(rho);
+  const Eigen::MatrixXd J = plain.Geometry(c.parameters), J_white = white.Geometry(c.parameters);
+  ASSERT_EQ(J_white.rows(), 60);
+  for (int k = 0; k < 60; ++k) {
+    const int row = k / 3;
+    const bool first = row == 0 || row == 8;
+    const double own = first ? 1 : scale, before = first ? 0 : rho * scale;
+    const int k_before = first ? k : k - 3;
+    EXPECT_NEAR(white.y()[k],
+                own * plain.y()[k] - before * plain.y()[k_before],
+                1e-12 * plain.y().cwiseAbs().maxCoeff());
+    EXPECT_LT((J_white.row(k) - (own * J.row(k) - before * J.row(k_before))).cwiseAbs().maxCoeff(),
+              1e-12 * J.cwiseAbs().maxCoeff());
+  }
+}
 
 TEST(OrthonormalBasis, MakesNoDirectionsOutOfRounding) {
   Eigen::MatrixXd J = Eigen::MatrixXd::Random(30, 4);
