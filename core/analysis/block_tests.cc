@@ -26,6 +26,7 @@ constexpr double kSmallestShare = 1e-6;
 // Beyond this score no draw comes near; the model is rejected without simulating.
 constexpr double kFarOut = 9.0;
 constexpr int kMostSoft = 200;
+constexpr Index kManyColumns = 60;
 // A probability this far from the level by the geometry's draws is on its side of it.
 constexpr double kClear = 3.0;
 
@@ -40,6 +41,24 @@ MatrixXd PseudoRoot(const MatrixXd& S, const VectorXd& norm2) {
   const Index kept = scaled.rows() - first;
   return scale.asDiagonal() * eigen.eigenvectors().rightCols(kept) *
          eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+/// The same span from a pivoted Cholesky factor: for models of hundreds of columns, at a twentieth
+/// of the cost. Columns that the others leave nothing of are not used.
+MatrixXd PivotedRoot(const MatrixXd& S, const VectorXd& norm2) {
+  const VectorXd scale = norm2.cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const MatrixXd scaled = scale.asDiagonal() * S * scale.asDiagonal();
+  const Eigen::LDLT<MatrixXd> ldlt(scaled);
+  const VectorXd D = ldlt.vectorD();
+  Index rank = 0;
+  while (rank < D.size() && D[rank] > kSmallestShare) ++rank;
+  const MatrixXd L = MatrixXd(ldlt.matrixL()).topLeftCorner(rank, rank);
+  MatrixXd F = MatrixXd::Zero(S.rows(), rank);
+  F.topRows(rank) = D.head(rank).cwiseSqrt().cwiseInverse().asDiagonal();
+  auto used = F.topRows(rank);
+  L.transpose().triangularView<Eigen::UnitUpper>().solveInPlace(used);
+  F = ldlt.transpositionsP().transpose() * F;
+  return scale.asDiagonal() * F;
 }
 
 /// Wilson and Hilferty (1931): chi-square / dof to a normal score.
@@ -129,7 +148,7 @@ BlockTests::Root BlockTests::RootOf(const BlockModel& model) const {
     S_AA(hard + k, hard + k) += precision;
     norm2[hard + k] += precision;
   }
-  root.F = PseudoRoot(S_AA, norm2);
+  root.F = S_AA.rows() > kManyColumns ? PivotedRoot(S_AA, norm2) : PseudoRoot(S_AA, norm2);
   return root;
 }
 

@@ -129,6 +129,7 @@ void Populate(const ProblemSpec& spec, HypothesisSpace* space, DiagnosisResult* 
         d->not_testable.push_back({InstanceName(request), reason});
       }
     }
+    if (effect->Describe().name == "transmission_error") continue;  // offered by the search
     if (candidates.empty() && effect->Place(context, {}).effect_class != "geometry") {
       d->not_testable.push_back({effect->Describe().name, "needs " + effect->Describe().needs});
     }
@@ -174,6 +175,7 @@ bool RefitAndJudge(const ProblemSpec& spec,
     });
     if (worst->delta_log_predictive >= 0 && d->rms_test_after < d->rms_test_before) {
       std::move(findings.begin(), findings.end(), std::back_inserter(d->findings));
+      d->model = WithValues(names, *after);
       d->moved = MovedParameters(*before, *after);
       return withdrawn;
     }
