@@ -79,10 +79,18 @@ BlockTests::BlockTests(BlockGram gram,
                        std::vector<ColumnRange> blocks,
                        std::vector<bool> in_maximum,
                        int draws,
-                       std::uint64_t seed)
-    : gram_(std::move(gram)), blocks_(std::move(blocks)), in_maximum_(std::move(in_maximum)) {
+                       std::uint64_t seed,
+                       const BlockTests* before)
+    : gram_(std::move(gram)),
+      blocks_(std::move(blocks)),
+      in_maximum_(std::move(in_maximum)),
+      draws_(draws),
+      seed_(seed) {
   CHECK_EQ(blocks_.size(), in_maximum_.size());
-  Simulate(draws, seed);
+  if (before != nullptr) {
+    geometry_maxima_ = before->geometry_maxima_;
+    return;
+  }
   const Conditioned geometry = Condition({});
   std::vector<MatrixXd> factors(blocks_.size());
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -92,10 +100,10 @@ BlockTests::BlockTests(BlockGram gram,
   std::sort(geometry_maxima_.begin(), geometry_maxima_.end());
 }
 
-void BlockTests::Simulate(int draws, std::uint64_t seed) {
-  Rng rng(seed);
+void BlockTests::Simulate() const {
+  Rng rng(seed_);
   const bool over_rows = gram_.rows.rows() > 0;
-  MatrixXd normal(over_rows ? gram_.rows.rows() : gram_.S.rows(), draws);
+  MatrixXd normal(over_rows ? gram_.rows.rows() : gram_.S.rows(), draws_);
   for (double& value : normal.reshaped()) value = rng.Normal();
   if (over_rows) {
     draws_z_ = gram_.rows.transpose() * normal;
@@ -117,11 +125,11 @@ void BlockTests::Simulate(int draws, std::uint64_t seed) {
     draws_rss_ = normal.colwise().squaredNorm().transpose();
     const double rest = gram_.nu - static_cast<double>(gram_.S.rows());
     CHECK_GT(rest, 0);
-    boost::random::mt19937_64 engine(seed + 1);
+    boost::random::mt19937_64 engine(seed_ + 1);
     boost::random::chi_squared_distribution<double> chi_square(rest);
     for (double& value : draws_rss_) value += chi_square(engine);
   }
-  draws_soft_.resize(kMostSoft, draws);
+  draws_soft_.resize(kMostSoft, draws_);
   for (double& value : draws_soft_.reshaped()) value = rng.Normal();
 }
 
@@ -246,7 +254,7 @@ ModelTest BlockTests::Test(const BlockModel& model, double level, const VectorXd
       test.worst = static_cast<int>(b);
     }
   }
-  const double draws = static_cast<double>(draws_rss_.size());
+  const auto draws = static_cast<double>(draws_);
   if (test.T > kFarOut) {
     test.p = 1 / (draws + 1);
     return test;
@@ -283,6 +291,7 @@ bool BlockTests::MayFit(const BlockModel& model,
 std::vector<double> BlockTests::NullMaxima(const BlockModel& model,
                                            const Conditioned& c,
                                            const std::vector<MatrixXd>& factors) const {
+  if (draws_rss_.size() == 0) Simulate();
   MatrixXd z = draws_z_;
   VectorXd rss = draws_rss_;
   if (!c.columns.empty()) {

@@ -45,7 +45,7 @@ SetTester::SetTester(const SearchOptions& options, HypothesisSpace* space)
 
 void SetTester::Rebuild() {
   tests_ = std::make_unique<BlockTests>(
-      space_->Tests(options_.nu, options_.sigma_known, options_.draws, options_.seed));
+      space_->Tests(options_.nu, options_.sigma_known, options_.draws, options_.seed, tests_.get()));
   names_.clear();
   for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
     if (at(k).named && MayBeNamed(at(k).request.effect)) names_.push_back(k);
