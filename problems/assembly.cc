@@ -39,6 +39,12 @@ std::vector<EffectTerm> EffectTerms(const Calibration& c, const Scope& scope, in
   return terms;
 }
 
+std::vector<HeldTerm> HeldTerms(const Calibration& c, int row_idx) {
+  std::vector<HeldTerm> terms;
+  for (const SlotWeights& amount : c.held) terms.push_back({amount.slot, amount.weight[row_idx]});
+  return terms;
+}
+
 CachePlan PlanCache(const Calibration& c) {
   CachePlan plan;
   for (const Reading& reading : c.readings.fitted) {
@@ -64,7 +70,8 @@ CachePlan PlanCache(const Calibration& c) {
     plan.rows.push_back(
         {c.recording.q.row(row_idx),
          entry->second,
-         EffectTerms(c, plan.scopes[static_cast<std::size_t>(entry->second)], row_idx)});
+         EffectTerms(c, plan.scopes[static_cast<std::size_t>(entry->second)], row_idx),
+         HeldTerms(c, row_idx)});
     plan.recording_row.push_back(row_idx);
   }
   return plan;

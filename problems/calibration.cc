@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
 #include <glog/logging.h>
@@ -10,6 +12,29 @@
 #include "problems/parameter_set.h"
 
 namespace dhcal {
+namespace {
+
+/// Sums what columns with given values add, per slot.
+void AddHeld(const std::vector<EffectColumn>& columns,
+             const std::map<std::string, double>& values,
+             std::vector<SlotWeights>* held) {
+  for (const EffectColumn& column : columns) {
+    const auto value = values.find(column.parameter);
+    if (value == values.end()) continue;
+    for (const SlotWeights& weights : column.slots) {
+      const auto same = std::find_if(held->begin(), held->end(), [&](const SlotWeights& sum) {
+        return sum.slot == weights.slot;
+      });
+      if (same == held->end()) {
+        held->push_back({weights.slot, value->second * weights.weight});
+      } else {
+        same->weight += value->second * weights.weight;
+      }
+    }
+  }
+}
+
+}  // namespace
 
 Calibration::Calibration(const ProblemSpec& problem_spec, const Recording& rows)
     : spec(problem_spec),
@@ -35,10 +60,15 @@ void Calibration::SetEffects(const std::vector<EffectRequest>& requests) {
                                   [](const Parameter& p) { return p.effect_column >= 0; }),
                    parameters.end());
   effect_columns.clear();
+  held.clear();
   effects = requests;
   if (requests.empty()) return;
   const PhysicsContext context = Context();
   for (const EffectRequest& request : requests) {
+    if (request.held) {
+      AddHeld(EffectColumns(context, request), request.values, &held);
+      continue;
+    }
     for (EffectColumn& column : EffectColumns(context, request)) {
       parameters.push_back(
           EffectParameter(request, column, static_cast<int>(effect_columns.size())));
@@ -73,6 +103,7 @@ Eigen::VectorXd Calibration::SlotDeltas(const Eigen::VectorXd& state, int row_id
       delta[weights.slot] += weights.weight[row_idx] * value;
     }
   }
+  for (const SlotWeights& amount : held) delta[amount.slot] += amount.weight[row_idx];
   return delta;
 }
 

@@ -36,8 +36,11 @@ struct Calibration {
 
   /// Circumstances of the rows with the base where `frames` has it.
   PhysicsContext Context() const;
-  /// Takes these effects (all testable) as unknowns instead of the ones there are.
+  /// Takes these effects (all testable) as unknowns, or at their values where they are held,
+  /// instead of the ones there are.
   void SetEffects(const std::vector<EffectRequest>& requests);
+  /// What held effects add to slots, whatever the state.
+  std::vector<SlotWeights> held;  // weight = amount [rad or m] per row of the recording
   /// Computes the effects' weights again after `frames` has moved.
   void UpdateEffects() { SetEffects(effects); }
   std::vector<EffectRequest> effects;  // switched on

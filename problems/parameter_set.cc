@@ -150,6 +150,7 @@ Parameter EffectParameter(const EffectRequest& request,
   parameter.unit_text = column.unit;
   parameter.effect_column = column_idx;
   parameter.tolerance = kTypicalToTolerance * column.typical;
+  if (column.prior_sigma > 0) parameter.prior_sigma = column.prior_sigma;
   return parameter;
 }
 

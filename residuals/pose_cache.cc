@@ -57,6 +57,7 @@ Eigen::VectorXd PoseCache::SlotDeltas(const Scope& scope) const {
 
 Eigen::VectorXd PoseCache::RowDeltas(const CacheRow& row, const Eigen::VectorXd& of_scope) const {
   Eigen::VectorXd delta = of_scope;
+  for (const HeldTerm& term : row.held) delta[term.slot] += term.amount;
   const Scope& scope = scopes_[static_cast<std::size_t>(row.scope)];
   for (const EffectTerm& term : row.effects) {
     const int parameter = scope.parameters[static_cast<std::size_t>(term.column)];

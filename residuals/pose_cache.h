@@ -19,6 +19,12 @@ struct EffectTerm {
   double weight = 0;  // slot's unit per unit of the parameter
 };
 
+/// What effects with given values add to a slot of one row.
+struct HeldTerm {
+  int slot = 0;
+  double amount = 0;  // [rad or m]
+};
+
 /// What is the same for all rows of one run and target: the nominal frames at the chain's ends
 /// and the parameters that these rows depend on.
 struct Scope {
@@ -32,6 +38,7 @@ struct CacheRow {
   Eigen::VectorXd q;  // n, as the controller reported it [rad] or [m]
   int scope = 0;
   std::vector<EffectTerm> effects;
+  std::vector<HeldTerm> held;
 };
 
 /// Fills a structure-of-arrays store before Ceres evaluates; residual blocks only read it. Two

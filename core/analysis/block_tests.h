@@ -58,12 +58,15 @@ struct ModelTest {
 
 class BlockTests {
  public:
-  /// `blocks` are all scored; those of `in_maximum` decide T.
+  /// `blocks` are all scored; those of `in_maximum` decide T. `before` (may be null): tests of the
+  /// same rows with the same blocks in the maximum and fewer others, whose law of the maximum holds
+  /// here too; new draws are then made only when a test needs them.
   BlockTests(BlockGram gram,
              std::vector<ColumnRange> blocks,
              std::vector<bool> in_maximum,
              int draws,
-             std::uint64_t seed);
+             std::uint64_t seed,
+             const BlockTests* before = nullptr);
 
   const BlockGram& gram() const { return gram_; }
   const std::vector<ColumnRange>& blocks() const { return blocks_; }
@@ -106,7 +109,7 @@ class BlockTests {
     Eigen::VectorXd z;
     double rss = 0, nu = 0;
   };
-  void Simulate(int draws, std::uint64_t seed);
+  void Simulate() const;
   Conditioned Condition(const BlockModel& model) const;
   /// E with Q = |E' z|^2 for a block; its columns count k.
   Eigen::MatrixXd Factor(const Conditioned& c, int block) const;
@@ -118,12 +121,15 @@ class BlockTests {
                                  const Conditioned& c,
                                  const std::vector<Eigen::MatrixXd>& factors) const;
 
-  BlockGram gram_;
+  mutable BlockGram gram_;  // `rows` and `basis` go once the draws are made
   std::vector<ColumnRange> blocks_;
   std::vector<bool> in_maximum_;
-  Eigen::MatrixXd draws_z_;    // columns x draws: X' M e
-  Eigen::VectorXd draws_rss_;  // e' M e
-  Eigen::MatrixXd draws_soft_;
+  int draws_;
+  std::uint64_t seed_;
+  // Made when first asked for.
+  mutable Eigen::MatrixXd draws_z_;    // columns x draws: X' M e
+  mutable Eigen::VectorXd draws_rss_;  // e' M e
+  mutable Eigen::MatrixXd draws_soft_;
   std::vector<double> geometry_maxima_;  // ascending
 };
 

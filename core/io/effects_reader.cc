@@ -70,7 +70,8 @@ void ReadEffect(const YamlValue& item,
     map.Read(key, &number);
     request.settings[key] = number;
   }
-  if (with_values) ReadValues(&map, true, &request);
+  ReadValues(&map, with_values, &request);
+  request.held = !with_values && !request.values.empty();
   const auto same = [&](const EffectRequest& other) { return other.SameAs(request); };
   if (std::any_of(effects->begin(), effects->end(), same)) {
     return item.Error("asks for the same effect a second time; keep one of them");

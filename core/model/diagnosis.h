@@ -129,6 +129,9 @@ struct DiagnosisResult {
   std::vector<MapEntry> map;
   std::vector<HypothesisResult> hypotheses;
   std::vector<Finding> findings;  // geometry first
+  /// All physics found, every line of a gear by itself, with the values of the fit: what a fit of
+  /// other rows can hold.
+  std::vector<EffectRequest> model;
   std::vector<MovedParameter> moved;
   std::optional<Unexplained> unexplained;
   std::vector<HiddenRisk> hidden;

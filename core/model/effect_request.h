@@ -15,7 +15,8 @@ struct EffectRequest {
   std::string effect;                      // "gear_harmonic"
   int joint = 0;                           // counts from 1; 0 = the effect has no joint
   std::map<std::string, double> settings;  // "order", "time_constant_s", ... in SI
-  std::map<std::string, double> values;    // parameter -> value in SI, for a simulation
+  std::map<std::string, double> values;    // parameter -> value in SI: simulated, or held
+  bool held = false;  // in a fit: `values` are used as they are (0 where none), not estimated
   SourceLocation where;
 
   double setting(const std::string& name, double otherwise) const {

@@ -34,6 +34,9 @@ struct EffectColumn {
   std::string unit;       // SI, "rad/(N m)"
   double typical = 1;     // size at which one would look for it, SI
   bool positive = false;  // a negative value is an alarm, not physics
+  /// Spread of a coefficient of a free curve, SI: with as many of them, only a prior keeps those
+  /// that the rows do not determine from running away. 0 = none.
+  double prior_sigma = 0;
   std::vector<SlotWeights> slots;
 };
 

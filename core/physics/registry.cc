@@ -13,6 +13,7 @@ namespace dhcal {
   DHCAL_EFFECT(BaseCompliance)          \
   DHCAL_EFFECT(JointGain)               \
   DHCAL_EFFECT(GearHarmonic)            \
+  DHCAL_EFFECT(TransmissionError)       \
   DHCAL_EFFECT(JointCoupling)           \
   DHCAL_EFFECT(Backlash)                \
   DHCAL_EFFECT(AxisWobble)              \

@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
+#include <string>
 
+#include "core/physics/registry.h"
 #include "problems/diagnosis/design_rows.h"
+#include "problems/diagnosis/linear_model.h"
 #include "problems/diagnosis/projection.h"
 #include "problems/noise.h"
 #include "problems/start.h"
@@ -20,6 +25,80 @@ ProblemSpec CompleteSpec(const ProblemSpec& user) {
   spec.solver.rule = TruncationRule::kNoise;
   spec.solver.kappa = std::min(spec.solver.kappa, 1e-9);
   return spec;
+}
+
+/// Effects with hundreds of coefficients that have priors: the readings are linear in them, so
+/// that they need no place in the fit's iterations.
+std::vector<bool> AreCurves(const Calibration& c, const std::vector<EffectRequest>& effects) {
+  std::vector<bool> are(effects.size(), false);
+  if (effects.empty()) return are;
+  const PhysicsContext context = c.Context();
+  for (std::size_t k = 0; k < effects.size(); ++k) {
+    if (effects[k].held) continue;
+    const std::vector<EffectColumn> columns = EffectColumns(context, effects[k]);
+    are[k] = !columns.empty() && columns.front().prior_sigma > 0;
+  }
+  return are;
+}
+
+/// Unknowns by name, of whatever effects are switched on.
+std::map<std::string, double> Named(const Calibration& c, const Eigen::VectorXd& state) {
+  std::map<std::string, double> named;
+  for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+    named[c.parameters[k].name] = state[static_cast<Eigen::Index>(k)];
+  }
+  return named;
+}
+
+Eigen::VectorXd StateOf(const Calibration& c, const std::map<std::string, double>& named) {
+  Eigen::VectorXd state = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(c.parameters.size()));
+  for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+    const auto value = named.find(c.parameters[k].name);
+    if (value != named.end()) state[static_cast<Eigen::Index>(k)] = value->second;
+  }
+  return state;
+}
+
+/// The curves' coefficients beside everything else, in turn with a fit of everything else with the
+/// curves held: two turns, because the first knows the noise only with the curves in it. Ends with
+/// all effects as unknowns.
+void FitCurves(const std::vector<EffectRequest>& all,
+               const std::vector<bool>& is_curve,
+               const Progress& progress,
+               CompleteFit* result) {
+  constexpr int kTurns = 2;
+  Calibration& c = result->calibration;
+  std::vector<EffectRequest> held = all;
+  std::map<std::string, double> named = Named(c, result->state());
+  for (int turn = 0; turn < kTurns && result->usable(); ++turn) {
+    c.SetEffects(all);
+    const LinearModel model(c, StateOf(c, named), result->fit.noise_seen);
+    std::vector<int> unknowns(static_cast<std::size_t>(model.A.cols()));
+    std::iota(unknowns.begin(), unknowns.end(), 0);
+    const Eigen::VectorXd x = Solve(NormalEquationsOf(model, {}), unknowns);
+    const Eigen::VectorXd values = x.head(model.tolerance.size()).cwiseProduct(model.tolerance);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (!is_curve[k]) continue;
+      held[k].held = true;
+      held[k].values.clear();
+      for (const EffectColumn& column : EffectColumns(c.Context(), all[k])) {
+        const std::string name = ParameterName(all[k], column.parameter);
+        const auto parameter = std::find_if(c.parameters.begin(),
+                                            c.parameters.end(),
+                                            [&](const Parameter& p) { return p.name == name; });
+        named[name] = held[k].values[column.parameter] = values[parameter - c.parameters.begin()];
+      }
+    }
+    c.SetEffects(held);
+    result->fit = RunFit(c,
+                         SolverMethod::kSvdGaussNewton,
+                         OptionsOf(result->spec.solver),
+                         result->fit.noise_seen,
+                         progress);
+    for (const auto& [name, value] : Named(c, result->state())) named[name] = value;
+  }
+  c.SetEffects(all);
+  result->fit.summary.state = StateOf(c, named);
 }
 
 }  // namespace
@@ -39,10 +118,29 @@ std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
   FitFramesAlone(&c, progress);
   std::vector<EffectRequest> all = spec.parameters.effects;
   all.insert(all.end(), effects.begin(), effects.end());
-  c.SetEffects(all);
+  const std::vector<bool> is_curve = AreCurves(c, all);
+  std::vector<EffectRequest> at_zero = all;
+  for (std::size_t k = 0; k < all.size(); ++k) at_zero[k].held = all[k].held || is_curve[k];
+  c.SetEffects(at_zero);
   result->fit = RunFit(
       c, SolverMethod::kSvdGaussNewton, OptionsOf(result->spec.solver), InitialNoise(c), progress);
+  if (std::find(is_curve.begin(), is_curve.end(), true) != is_curve.end()) {
+    FitCurves(all, is_curve, progress, result.get());
+  }
   return result;
+}
+
+std::vector<EffectRequest> WithValues(std::vector<EffectRequest> effects, const CompleteFit& fit) {
+  const std::map<std::string, double> named = Named(fit.calibration, fit.state());
+  const PhysicsContext context = fit.calibration.Context();
+  for (EffectRequest& effect : effects) {
+    effect.values.clear();
+    for (const EffectColumn& column : EffectColumns(context, effect)) {
+      const auto value = named.find(ParameterName(effect, column.parameter));
+      if (value != named.end()) effect.values[column.parameter] = value->second;
+    }
+  }
+  return effects;
 }
 
 Eigen::MatrixXd GeometryBasis(const CompleteFit& fit,
@@ -98,8 +196,18 @@ EffectEstimates EstimateEffects(const CompleteFit& fit) {
     X.col(k) = typical[k] * rows.Column(column.slots);
   }
   X = ProjectOff(U, X);
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(X.transpose() * X);
-  const Eigen::VectorXd step = decomposition.solve(X.transpose() * y);
+  Eigen::MatrixXd H = X.transpose() * X;
+  Eigen::VectorXd b = X.transpose() * y;
+  for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+    const int i = c.parameters[k].effect_column;
+    if (i < 0) continue;
+    const double prior = c.effect_columns[static_cast<std::size_t>(i)].prior_sigma;
+    if (!(prior > 0)) continue;
+    H(i, i) += typical[i] * typical[i] / (prior * prior);
+    b[i] -= typical[i] * fit.state()[static_cast<Eigen::Index>(k)] / (prior * prior);
+  }
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(H);
+  const Eigen::VectorXd step = decomposition.solve(b);
   for (std::size_t k = 0; k < c.parameters.size(); ++k) {
     const int column = c.parameters[k].effect_column;
     if (column >= 0) {

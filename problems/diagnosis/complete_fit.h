@@ -33,6 +33,9 @@ std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
                                          const std::vector<Reading>* readings,
                                          const Progress& progress);
 
+/// The effects with the values that a fit found for them.
+std::vector<EffectRequest> WithValues(std::vector<EffectRequest> effects, const CompleteFit& fit);
+
 /// Orthonormal basis of what the geometry can do to the whitened rows of `readings`. Taken at zero
 /// effects: a step of the tool, say, would make a hidden direction of the geometry (theta6 against
 /// the tool) faintly visible, and that direction would then swallow the rest of the step.

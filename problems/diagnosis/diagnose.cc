@@ -153,6 +153,7 @@ void Populate(const ProblemSpec& spec, HypothesisSpace* space, DiagnosisResult* 
         d->not_testable.push_back({InstanceName(request), reason});
       }
     }
+    if (effect->Describe().name == "transmission_error") continue;  // offered by the search
     if (candidates.empty() && effect->Place(context, {}).effect_class != "geometry") {
       d->not_testable.push_back({effect->Describe().name, "needs " + effect->Describe().needs});
     }

@@ -121,6 +121,8 @@ void AddParameters(const std::vector<int>& columns,
                       column.parameter,
                       std::abs(parameter.value) / column.typical));
     }
+    // Coefficients of a curve are many, and mean little one by one.
+    if (column.prior_sigma > 0) continue;
     const double replication = Replication(fit, column);
     if (replication < kReplicates) {
       finding->cautions.push_back(
@@ -155,6 +157,23 @@ void JudgeOnTestRows(const CompleteFit& before, const CompleteFit& after, Diagno
       Statistics(after.calibration, after.state(), after.calibration.readings.test).rms;
 }
 
+/// One sigma of each unknown, SI.
+VectorXd Deviations(const CompleteFit& fit) {
+  const std::vector<EffectColumn>& columns = fit.calibration.effect_columns;
+  const bool curves = std::any_of(
+      columns.begin(), columns.end(), [](const EffectColumn& c) { return c.prior_sigma > 0; });
+  if (!curves) {
+    return Analyse(fit.calibration, fit.fit)
+        .identifiability.covariance.diagonal()
+        .cwiseMax(0.0)
+        .cwiseSqrt();
+  }
+  // The analysis of a few hundred unknowns by SVD would take longer than the fit.
+  const LinearModel model(fit.calibration, fit.state(), fit.fit.noise_seen);
+  return model.tolerance.cwiseProduct(
+      Deviations(NormalEquationsOf(model, {})).head(model.tolerance.size()));
+}
+
 }  // namespace
 
 bool TestRowsSpeakAgainst(const CompleteFit& before, const CompleteFit& after) {
@@ -182,12 +201,14 @@ std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,
   const double sigma = after.fit.noise_seen.sigma;
   const EffectEstimates estimates = EstimateEffects(after);
   const Folds folds = MakeFolds(after.calibration);
-  const VectorXd left_out = LeftOutResiduals(after, folds, {});
-  const VectorXd fitted = FittedResiduals(after, {});
+  const LeftOutRows rows_after(after, folds);
+  const VectorXd left_out = rows_after.Residuals({});
+  const VectorXd fitted = rows_after.Fitted({});
+  const LeftOutRows rows_before(before, folds);
   d->validation_method = folds.method;
-  d->rms_train_before = Rms(FittedResiduals(before, {}), before.fit.noise_seen.sigma);
+  d->rms_train_before = Rms(rows_before.Fitted({}), before.fit.noise_seen.sigma);
   d->rms_train_after = Rms(fitted, sigma);
-  d->rms_test_before = Rms(LeftOutResiduals(before, folds, {}), before.fit.noise_seen.sigma);
+  d->rms_test_before = Rms(rows_before.Residuals({}), before.fit.noise_seen.sigma);
   d->rms_test_after = Rms(left_out, sigma);
   const bool has_test = !after.calibration.readings.test.empty();
   if (has_test) JudgeOnTestRows(before, after, d);
@@ -216,8 +237,8 @@ std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,
     finding.effect_class = place.effect_class;
     finding.location = place.location;
     finding.driver = place.driver;
-    const VectorXd fitted_without = FittedResiduals(after, own);
-    const VectorXd left_out_without = LeftOutResiduals(after, folds, own);
+    const VectorXd fitted_without = rows_after.Fitted(own);
+    const VectorXd left_out_without = rows_after.Residuals(own);
     finding.rms_train_before = Rms(fitted_without, sigma);
     finding.rms_train_after = d->rms_train_after;
     finding.rms_test_before = Rms(left_out_without, sigma);
@@ -239,7 +260,7 @@ std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,
 }
 
 std::vector<MovedParameter> MovedParameters(const CompleteFit& before, const CompleteFit& after) {
-  const FitAnalysis analysis = Analyse(after.calibration, after.fit);
+  const VectorXd sigma = Deviations(after);
   std::vector<MovedParameter> moved;
   for (std::size_t k = 0; k < before.calibration.parameters.size(); ++k) {
     const Parameter& p = before.calibration.parameters[k];
@@ -250,7 +271,7 @@ std::vector<MovedParameter> MovedParameters(const CompleteFit& before, const Com
     m.unit = ToString(p.unit);
     m.before = before.state()[i];
     m.after = after.state()[i];
-    m.sigma = std::sqrt(analysis.identifiability.covariance(i, i));
+    m.sigma = sigma[i];
     if (std::abs(m.after - m.before) > kMovedSigmas * m.sigma) moved.push_back(m);
   }
   std::sort(moved.begin(), moved.end(), [](const MovedParameter& a, const MovedParameter& b) {

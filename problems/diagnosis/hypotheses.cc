@@ -122,10 +122,8 @@ void HypothesisSpace::CompleteGram() const {
   S_.topRightCorner(known, fresh) = S_.bottomLeftCorner(fresh, known).transpose();
 }
 
-BlockTests HypothesisSpace::Tests(double nu,
-                                  bool sigma_known,
-                                  int draws,
-                                  std::uint64_t seed) const {
+BlockTests HypothesisSpace::Tests(
+    double nu, bool sigma_known, int draws, std::uint64_t seed, const BlockTests* before) const {
   const auto X = X_.leftCols(num_columns_);
   BlockGram gram;
   CompleteGram();
@@ -146,7 +144,7 @@ BlockTests HypothesisSpace::Tests(double nu,
     blocks.push_back(h.columns);
     in_maximum.push_back(h.in_maximum);
   }
-  return BlockTests(std::move(gram), std::move(blocks), std::move(in_maximum), draws, seed);
+  return BlockTests(std::move(gram), std::move(blocks), std::move(in_maximum), draws, seed, before);
 }
 
 double HypothesisSpace::Removes(const EffectRequest& request, const Eigen::MatrixXd& extra) const {

@@ -73,7 +73,12 @@ class HypothesisSpace {
   /// Orthonormal basis of several blocks' projected columns.
   Eigen::MatrixXd BasisOf(const std::vector<int>& blocks) const;
 
-  BlockTests Tests(double nu, bool sigma_known, int draws, std::uint64_t seed) const;
+  /// `before`: the tests before blocks were added that are not in the maximum; may be null.
+  BlockTests Tests(double nu,
+                   bool sigma_known,
+                   int draws,
+                   std::uint64_t seed,
+                   const BlockTests* before = nullptr) const;
 
   /// The score of an effect that is no member (a setting being refined), beside the basis `extra`
   /// of what is already in the model: squares removed.

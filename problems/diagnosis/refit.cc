@@ -135,6 +135,7 @@ bool RefitAndJudge(const ProblemSpec& spec,
                           : !TestRowsSpeakAgainst(*before, *after);
     if (worst->delta_log_predictive >= 0 && hold) {
       std::move(findings.begin(), findings.end(), std::back_inserter(d->findings));
+      d->model = WithValues(shapes, *after);
       const std::vector<MovedParameter> moved = MovedParameters(*before, *after);
       d->moved.insert(d->moved.end(), moved.begin(), moved.end());
       return withdrawn || refit.IsAboveNoise(*after);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -118,20 +119,27 @@ class Searcher {
     }
   }
 
-  /// Names that do not conflict, the highest score beside the members first; only those whose own
-  /// p stands the number of names tried.
+  /// Names that do not conflict, the highest score beside the members' price first; only those
+  /// whose own p stands the number of names tried.
   std::vector<int> Candidates(const std::vector<int>& members) const {
     const std::vector<BlockScore> scores = tester_.tests().Scores(tester_.Model(members));
     const auto count = static_cast<double>(tester_.names().size());
-    std::vector<int> candidates;
+    const double left =
+        tester_.tests().gram().rss - tester_.tests().Removed(tester_.Model(members));
+    std::vector<std::pair<double, int>> ranked;
     for (const int k : tester_.names()) {
+      const BlockScore& score = scores[static_cast<std::size_t>(k)];
       if (tester_.Conflicts(k, members)) continue;
-      if (scores[static_cast<std::size_t>(k)].p * count > options_.false_alarm) continue;
-      candidates.push_back(k);
+      if (score.p * count > options_.false_alarm) continue;
+      const double gain =
+          options_.sigma_known
+              ? score.Q
+              : -options_.nu * std::log(std::max(1 - score.Q / std::max(left, 1e-300), 1e-12));
+      ranked.emplace_back(gain - at(k).columns.size * std::log(options_.nu), k);
     }
-    std::sort(candidates.begin(), candidates.end(), [&](int a, int b) {
-      return scores[static_cast<std::size_t>(a)].z > scores[static_cast<std::size_t>(b)].z;
-    });
+    std::sort(ranked.begin(), ranked.end(), std::greater<>());
+    std::vector<int> candidates;
+    for (const auto& [evidence, k] : ranked) candidates.push_back(k);
     return candidates;
   }
 
@@ -144,18 +152,60 @@ class Searcher {
     return members;
   }
 
-  /// Best single addition by evidence; the members unchanged when none helps.
+  /// Best single addition by evidence; the members unchanged when none helps. The scores say what
+  /// each would remove; only the best few are computed with all that they bring.
   std::vector<int> BestAddition(const std::vector<int>& members) const {
+    constexpr std::size_t kMostCompared = 4;
     std::vector<int> best = members;
     double best_evidence = tester_.Evidence(members);
-    for (const int k : Candidates(members)) {
-      const std::vector<int> tried = With(members, k);
+    const std::vector<int> candidates = Candidates(members);
+    for (std::size_t i = 0; i < std::min(candidates.size(), kMostCompared); ++i) {
+      const std::vector<int> tried = With(members, candidates[i]);
       const double evidence = tester_.Evidence(tried);
       if (evidence <= best_evidence) continue;
       best_evidence = evidence;
       best = tried;
     }
     return best;
+  }
+
+  /// The addition `known`, or a line that a new scan finds where that has more evidence.
+  std::vector<int> OrALine(const std::vector<int>& members, const std::vector<int>& known) {
+    const double evidence = tester_.Evidence(known);
+    const std::vector<SpectralPeak> peaks = tester_.Scan(members);
+    double best = -1e300;
+    SpectralPeak highest;
+    for (const SpectralPeak& peak : peaks) {
+      if (peak.p_scan <= options_.false_alarm && peak.Q > highest.Q) highest = peak;
+    }
+    if (highest.joint >= 0) best = tester_.EvidenceWith(highest, members);
+    const bool better = best > evidence;
+    if (!better || !tester_.AddPeaks(peaks, members)) return known;
+    tester_.Rebuild();
+    return BestAddition(members);
+  }
+
+  /// Where a joint has as many lines as a curve of many orders shows, and the joint's error curve
+  /// has more evidence than all that the set says of the joint's own angle, the curve takes their
+  /// place.
+  std::vector<int> WithCurves(std::vector<int> members) {
+    constexpr int kLinesOfACurve = 3;
+    std::map<int, int> lines;
+    for (const int k : members) {
+      if (at(k).request.setting("order", 0) >= kLowestOrder) ++lines[at(k).request.joint];
+    }
+    for (const auto& [joint, count] : lines) {
+      if (count < kLinesOfACurve) continue;
+      const int curve = tester_.Curve(joint);
+      if (curve < 0 || std::find(members.begin(), members.end(), curve) != members.end()) continue;
+      std::vector<int> tried;
+      for (const int k : members) {
+        if (!tester_.Conflicts(curve, {k})) tried.push_back(k);
+      }
+      tried.push_back(curve);
+      if (tester_.Evidence(tried) > tester_.Evidence(members)) members = tried;
+    }
+    return members;
   }
 
   /// Drops and exchanges members as long as that raises the evidence.
@@ -192,11 +242,10 @@ class Searcher {
   void TrySets(SearchOutcome* out) {
     std::vector<int> members;
     while (CountEffects(members) < options_.max_effects) {
-      const std::vector<int> more = BestAddition(members);
+      const std::vector<int> more = OrALine(members, BestAddition(members));
       if (more.size() == members.size()) {
-        // Nothing known helps; a new line of the spectrum or a better instant may.
+        // Nothing known helps; a better instant may.
         const std::size_t before = space_->all().size();
-        tester_.AddPeaks(tester_.Scan(members), members);
         tester_.AddRefined(members);
         if (space_->all().size() == before) break;
         tester_.Rebuild();
@@ -204,6 +253,7 @@ class Searcher {
         continue;
       }
       members = more.size() <= kMostExchanged ? tester_.Polished(WithSwaps(more)) : more;
+      members = WithCurves(members);
       const TestedSet set = tester_.Try(members, /*rescan=*/true);
       out->p_accepted = set.p;
       if (!set.kept) continue;

@@ -24,6 +24,13 @@ constexpr char kScaleClass[] = "C7";
 constexpr std::size_t kMostRefined = 4;
 // Lines of one joint's gear that are followed.
 constexpr int kMostLines = 8;
+// An error curve follows lines below this order (its knots stand closer than half a period).
+constexpr double kHighestInCurve = 45;
+// Rows that a curve's coefficient must have on average.
+constexpr Eigen::Index kRowsPerCoefficient = 15;
+// Beside more columns than this, settings found by the scan are not refined any more: each trial
+// costs a product with all of them.
+constexpr Eigen::Index kManyColumns = 100;
 
 }  // namespace
 
@@ -38,8 +45,8 @@ SetTester::SetTester(const SearchOptions& options, HypothesisSpace* space)
 }
 
 void SetTester::Rebuild() {
-  tests_ = std::make_unique<BlockTests>(
-      space_->Tests(options_.nu, options_.sigma_known, options_.draws, options_.seed));
+  tests_ = std::make_unique<BlockTests>(space_->Tests(
+      options_.nu, options_.sigma_known, options_.draws, options_.seed, tests_.get()));
   names_.clear();
   for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
     // A scale is what free lengths can always do: its column holds the residual itself, and to name
@@ -70,7 +77,7 @@ std::vector<SpectralPeak> SetTester::Scan(const std::vector<int>& members) const
   for (const int k : members) {
     if (at(k).shape_block >= 0) with_shapes.push_back(at(k).shape_block);
   }
-  const Eigen::MatrixXd extra = space_->BasisOf(with_shapes);
+  const Eigen::MatrixXd& extra = Basis(with_shapes);
   Eigen::MatrixXd basis(space_->y().size(), space_->U().cols() + extra.cols());
   basis << space_->U(), extra;
   return ScanOrders(space_->context(),
@@ -87,15 +94,87 @@ double SetTester::LeastScan(const std::vector<SpectralPeak>& peaks) {
   return least;
 }
 
+const Eigen::MatrixXd& SetTester::Basis(const std::vector<int>& members) const {
+  constexpr double kNothingLeft = 1e-4;  // of a column
+  const bool grows = basis_members_.size() <= members.size() &&
+                     std::equal(basis_members_.begin(), basis_members_.end(), members.begin());
+  if (!grows || basis_.rows() == 0) {
+    basis_members_.clear();
+    basis_.resize(space_->y().size(), 0);
+  }
+  for (std::size_t i = basis_members_.size(); i < members.size(); ++i) {
+    const Eigen::MatrixXd columns = space_->Projected(members[i]);
+    const Eigen::MatrixXd beside = ProjectOff(basis_, ProjectOff(basis_, columns));
+    std::vector<int> left;
+    for (int k = 0; k < static_cast<int>(columns.cols()); ++k) {
+      if (beside.col(k).norm() > kNothingLeft * columns.col(k).norm()) left.push_back(k);
+    }
+    const Eigen::MatrixXd fresh = OrthonormalBasis(beside(Eigen::all, left), 1e-4);
+    basis_.conservativeResize(Eigen::NoChange, basis_.cols() + fresh.cols());
+    basis_.rightCols(fresh.cols()) = fresh;
+    basis_members_.push_back(members[i]);
+  }
+  return basis_;
+}
+
+double SetTester::EvidenceWith(const SpectralPeak& peak, const std::vector<int>& members) const {
+  const double n = options_.nu;
+  const double rss = tests_->gram().rss - tests_->Removed(Model(members));
+  const double gain = options_.sigma_known
+                          ? peak.Q
+                          : -n * std::log(std::max(1 - peak.Q / std::max(rss, 1e-300), 1e-12));
+  return Evidence(members) + gain - 2 * std::log(n);
+}
+
+int SetTester::Curve(int joint) {
+  EffectRequest request;
+  request.effect = "transmission_error";
+  request.joint = joint;
+  for (const int k : names_) {
+    if (at(k).request.SameAs(request)) return k;
+  }
+  const PhysicsContext& context = space_->context();
+  if (!MayBeNamed(request.effect) ||
+      !FindEffect(request.effect)->NotTestable(context, request).empty()) {
+    return -1;
+  }
+  const auto columns = static_cast<Eigen::Index>(EffectColumns(context, request).size());
+  if (space_->y().size() < kRowsPerCoefficient * columns) return -1;
+  const int curve = space_->AddEffect(request, /*in_maximum=*/false);
+  Rebuild();
+  return curve;
+}
+
+bool SetTester::InCurve(const EffectRequest& request, const std::string& driver) const {
+  return driver == "joint angle" && request.setting("order", 1) < kHighestInCurve;
+}
+
 bool SetTester::AddPeaks(const std::vector<SpectralPeak>& peaks, const std::vector<int>& members) {
-  const Eigen::MatrixXd extra = space_->BasisOf(members);
+  const Eigen::MatrixXd& extra = Basis(members);
+  const auto is_known = [&](const SpectralPeak& peak) {
+    const double resolution = OrderResolution(space_->context(), peak.joint);
+    return std::any_of(lines_.begin(), lines_.end(), [&](int line) {
+      const EffectRequest& request = at(line).request;
+      return request.joint == peak.joint + 1 &&
+             std::abs(request.setting("order", 1) - peak.order) < 0.3 * resolution;
+    });
+  };
+  const auto is_in_curve = [&](const SpectralPeak& peak) {
+    return std::any_of(members.begin(), members.end(), [&](int member) {
+      const EffectRequest& request = at(member).request;
+      return request.effect == "transmission_error" && request.joint == peak.joint + 1 &&
+             peak.order < kHighestInCurve;
+    });
+  };
   bool any = false;
   for (const SpectralPeak& peak : peaks) {
     if (peak.p_scan > options_.false_alarm || !MayBeNamed("gear_harmonic")) continue;
+    if (is_known(peak) || is_in_curve(peak)) continue;
     EffectRequest request;
     request.effect = "gear_harmonic";
     request.joint = peak.joint + 1;
-    request.settings["order"] = RefineOrder(*space_, request, peak.order, extra);
+    request.settings["order"] =
+        extra.cols() > kManyColumns ? peak.order : RefineOrder(*space_, request, peak.order, extra);
     lines_.push_back(space_->AddEffect(request, /*in_maximum=*/false));
     any = true;
   }
@@ -114,8 +193,9 @@ void SetTester::AddRefined(const std::vector<int>& members) {
   std::vector<int> ranked;
   for (const auto& [family, k] : best) ranked.push_back(k);
   std::sort(ranked.begin(), ranked.end(), [&](int a, int b) { return score(a) > score(b); });
-  const Eigen::MatrixXd extra = space_->BasisOf(members);
-  for (std::size_t k = 0; k < ranked.size() && k < kMostRefined; ++k) {
+  const Eigen::MatrixXd& extra = Basis(members);
+  const std::size_t most = extra.cols() > kManyColumns ? 1 : kMostRefined;
+  for (std::size_t k = 0; k < ranked.size() && k < most; ++k) {
     if (score(ranked[k]) < 3) break;
     const EffectRequest refined = RefineSetting(*space_, at(ranked[k]).request, extra);
     const bool known = std::any_of(
@@ -127,6 +207,7 @@ void SetTester::AddRefined(const std::vector<int>& members) {
 std::vector<int> SetTester::Polished(std::vector<int> members) {
   constexpr int kRounds = 2;
   constexpr double kMoved = 0.02;  // of a resolution
+  if (Model(members).columns.size() > kManyColumns) return members;
   for (int round = 0; round < kRounds; ++round) {
     bool moved = false;
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -216,6 +297,12 @@ bool SetTester::Conflicts(int k, const std::vector<int>& members) const {
   for (const int m : members) {
     if (m == k) return true;
     const EffectRequest& other = at(m).request;
+    const bool a_curve =
+        mine.effect == "transmission_error" || other.effect == "transmission_error";
+    if (a_curve && mine.joint == other.joint && InCurve(mine, at(k).place.driver) &&
+        InCurve(other, at(m).place.driver)) {
+      return true;
+    }
     if (other.effect != mine.effect || other.joint != mine.joint) continue;
     if (mine.effect == "joint_coupling") {
       if (other.SameAs(mine)) return true;

@@ -3,7 +3,10 @@
 #define DHCAL_PROBLEMS_DIAGNOSIS_SET_TESTER_H_
 
 #include <memory>
+#include <string>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "core/analysis/block_tests.h"
 #include "problems/diagnosis/hypotheses.h"
@@ -41,7 +44,11 @@ class SetTester {
   /// Highest peak of each joint beside the members.
   std::vector<SpectralPeak> Scan(const std::vector<int>& members) const;
   static double LeastScan(const std::vector<SpectralPeak>& peaks);
-  /// Significant peaks become hypotheses; true when there is one.
+  /// Evidence of the members with a peak found beside them.
+  double EvidenceWith(const SpectralPeak& peak, const std::vector<int>& members) const;
+  /// The error curve of a joint as a hypothesis; -1 where it cannot be tested or named.
+  int Curve(int joint);
+  /// Significant peaks that are new become hypotheses; true when there is one.
   bool AddPeaks(const std::vector<SpectralPeak>& peaks, const std::vector<int>& members);
   /// Families with an instant or a time constant that the rows ask for most get the best one.
   void AddRefined(const std::vector<int>& members);
@@ -53,6 +60,11 @@ class SetTester {
   bool MayBeNamed(const std::string& effect) const;
   /// What a model may leave of each block without being rejected.
   Eigen::VectorXd Excused(const BlockModel& model, const std::vector<int>& members) const;
+  /// Orthonormal basis of the members' columns beside the geometry, kept from one call to the next:
+  /// a search asks for one that grows.
+  const Eigen::MatrixXd& Basis(const std::vector<int>& members) const;
+  /// True for a line or other function of its joint's own angle that the joint's error curve holds.
+  bool InCurve(const EffectRequest& request, const std::string& driver) const;
   /// Probability of the highest of the spectrum's known lines beside a model, for the whole scan.
   double LinesLeft(const BlockModel& model) const;
 
@@ -63,6 +75,8 @@ class SetTester {
   std::vector<int> order_;  // blocks, highest score beside the geometry first
   std::vector<int> lines_;  // hypotheses that a scan found
   double scan_width_;
+  mutable std::vector<int> basis_members_;
+  mutable Eigen::MatrixXd basis_;
 };
 
 }  // namespace dhcal

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 
 #include "core/base/units.h"
+#include "core/math/nonuniform_fourier.h"
 #include "core/math/statistics.h"
 
 namespace dhcal {
@@ -17,8 +19,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kStepsPerResolution = 5;  // orders per 2 pi / range of the angle
-constexpr Index kOrdersAtOnce = 64;
-constexpr double kSmallestShare = 1e-3;  // of a column's square that the basis must leave
+constexpr double kSmallestShare = 1e-3;    // of a column's square that the basis must leave
 
 /// Sums over the readings that turn a function of one joint's angle (a value per recording row)
 /// into products of its column, for any function.
@@ -40,36 +41,82 @@ JointSums SumsOf(const DesignRows& rows,
   sums.cross.setZero(recording_rows);
   sums.before.assign(static_cast<std::size_t>(recording_rows), -1);
   const bool pairs = rows.before().rows() > 0;
-  Eigen::RowVectorXd factor(basis.cols() + 1);
   for (int k = 0; k < rows.num_rows(); ++k) {
     const auto i = static_cast<std::size_t>(k);
-    factor << basis.row(k), y[k];
     const int now = rows.now_row()[i];
     const double z_now = rows.now()(k, slot);
-    sums.products.row(now) += z_now * factor;
     sums.square[now] += z_now * z_now;
     if (!pairs) continue;
     const int before = rows.before_row()[i];
     const double z_before = rows.before()(k, slot);
-    sums.products.row(before) -= z_before * factor;
     sums.square[before] += z_before * z_before;
     sums.cross[now] -= 2 * z_now * z_before;
     sums.before[static_cast<std::size_t>(now)] = before;
   }
+  for (Index column = 0; column <= basis.cols(); ++column) {
+    const double* const factor = column < basis.cols() ? basis.col(column).data() : y.data();
+    double* const product = sums.products.col(column).data();
+    for (int k = 0; k < rows.num_rows(); ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      product[rows.now_row()[i]] += rows.now()(k, slot) * factor[k];
+      if (pairs) product[rows.before_row()[i]] -= rows.before()(k, slot) * factor[k];
+    }
+  }
   return sums;
 }
 
-/// a' B b of two functions, B the (tri-diagonal) matrix of the sums.
-double Product(const JointSums& sums, const double* a, const double* b) {
-  double total = 0;
-  for (Index row = 0; row < sums.square.size(); ++row) {
-    total += sums.square[row] * a[row] * b[row];
-    const int before = sums.before[static_cast<std::size_t>(row)];
-    if (before >= 0) {
-      total += 0.5 * sums.cross[row] * (a[row] * b[before] + a[before] * b[row]);
+/// The orders k step, k = first ... first + count - 1, of one joint.
+struct OrderGrid {
+  double step = 0;
+  int first = 0, count = 0;
+  double order(int k) const { return (first + k) * step; }
+};
+
+OrderGrid GridOf(const VectorXd& q) {
+  OrderGrid grid;
+  const double range = std::max(q.maxCoeff() - q.minCoeff(), 1e-6);
+  grid.step = std::min(2 * kPi / range / kStepsPerResolution, 0.5);
+  grid.first = static_cast<int>(std::ceil(kLowestOrder / grid.step));
+  grid.count = std::max(1, static_cast<int>(kHighestOrder / grid.step) - grid.first + 1);
+  return grid;
+}
+
+/// Products of the sine's and the cosine's columns of every order, by the addition theorems: with
+/// w the order, B the (tri-diagonal) matrix of the sums,
+///   2 s'Bs = D - C, 2 o'Bo = D + C, 2 s'Bo = N,  C + i N = sum b_ij exp(i w (q_i + q_j)),
+///   D = sum b_ij cos w (q_i - q_j).
+struct OrderProducts {
+  Eigen::ArrayXd ss, oo, so;
+};
+
+OrderProducts ProductsOf(const JointSums& sums, const VectorXd& q, const OrderGrid& grid) {
+  std::vector<double> plus, weight, minus, cross;
+  for (Index row = 0; row < q.size(); ++row) {
+    if (sums.square[row] > 0) {
+      plus.push_back(2 * q[row]);
+      weight.push_back(sums.square[row]);
     }
+    const int before = sums.before[static_cast<std::size_t>(row)];
+    if (before < 0) continue;
+    plus.push_back(q[row] + q[before]);
+    weight.push_back(sums.cross[row]);
+    minus.push_back(q[row] - q[before]);
+    cross.push_back(sums.cross[row]);
   }
-  return total;
+  const auto as_vector = [](const std::vector<double>& values) {
+    return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
+  };
+  const int size = grid.first + grid.count;
+  const Eigen::ArrayXcd C =
+      NonuniformFourier(grid.step * as_vector(plus), size).Sums(as_vector(weight)).tail(grid.count);
+  Eigen::ArrayXd D = Eigen::ArrayXd::Constant(grid.count, sums.square.sum());
+  if (!minus.empty()) {
+    D += NonuniformFourier(grid.step * as_vector(minus), size)
+             .Sums(as_vector(cross))
+             .tail(grid.count)
+             .real();
+  }
+  return {(D - C.real()) / 2, (D + C.real()) / 2, C.imag() / 2};
 }
 
 double TailOf(double Q, double rss, double nu, bool sigma_known) {
@@ -90,49 +137,40 @@ double Removed(const Eigen::Matrix2d& S, const Eigen::Vector2d& z, double norm2)
   return Q;
 }
 
+/// The order between grid points at which a parabola through three has its top.
+double TopBetween(const OrderGrid& grid, const Eigen::ArrayXd& Q, int k) {
+  if (k == 0 || k + 1 == grid.count) return grid.order(k);
+  const double bend = Q[k - 1] - 2 * Q[k] + Q[k + 1];
+  const double shift = bend < 0 ? 0.5 * (Q[k - 1] - Q[k + 1]) / bend : 0.0;
+  return grid.order(k) + std::clamp(shift, -0.5, 0.5) * grid.step;
+}
+
 SpectralPeak HighestPeak(const PhysicsContext& c, const JointSums& sums, int joint) {
   const VectorXd q = c.q(joint);
-  const double range = std::max(q.maxCoeff() - q.minCoeff(), 1e-6);
-  const double step = std::min(2 * kPi / range / kStepsPerResolution, 0.5);
-  const auto count = static_cast<Index>((kHighestOrder - kLowestOrder) / step) + 1;
-  const Index num_rows = q.size(), num_basis = sums.products.cols() - 1;
-  // Turning each row's phase by one step costs a product instead of a sine and a cosine.
-  Eigen::ArrayXcd phase(num_rows), turn(num_rows);
-  for (Index row = 0; row < num_rows; ++row) {
-    phase[row] = std::polar(1.0, kLowestOrder * q[row]);
-    turn[row] = std::polar(1.0, step * q[row]);
+  const OrderGrid grid = GridOf(q);
+  OrderProducts S = ProductsOf(sums, q, grid);
+  const Eigen::ArrayXd norm2 = (S.ss + S.oo).max(1e-300);
+  const NonuniformFourier fourier(grid.step * q, grid.first + grid.count);
+  const Index num_basis = sums.products.cols() - 1;
+  for (Index k = 0; k < num_basis; ++k) {
+    const Eigen::ArrayXcd u = fourier.Sums(sums.products.col(k)).tail(grid.count);
+    S.ss -= u.imag().square();
+    S.oo -= u.real().square();
+    S.so -= u.imag() * u.real();
   }
+  const Eigen::ArrayXcd z = fourier.Sums(sums.products.col(num_basis)).tail(grid.count);
+  Eigen::ArrayXd Q(grid.count);
   SpectralPeak peak;
   peak.joint = joint;
-  MatrixXd functions(num_rows, 2 * kOrdersAtOnce);
-  for (Index first = 0; first < count; first += kOrdersAtOnce) {
-    const Index orders = std::min(kOrdersAtOnce, count - first);
-    for (Index k = 0; k < orders; ++k) {
-      functions.col(2 * k) = phase.imag().matrix();
-      functions.col(2 * k + 1) = phase.real().matrix();
-      phase *= turn;
-    }
-    const MatrixXd products = sums.products.transpose() * functions.leftCols(2 * orders);
-    for (Index k = 0; k < orders; ++k) {
-      const double* const s = functions.col(2 * k).data();
-      const double* const o = functions.col(2 * k + 1).data();
-      const auto u_s = products.col(2 * k), u_o = products.col(2 * k + 1);
-      Eigen::Matrix2d S;
-      S(0, 0) = Product(sums, s, s);
-      S(1, 1) = Product(sums, o, o);
-      S(0, 1) = S(1, 0) = Product(sums, s, o);
-      const double norm2 = std::max(S.trace(), 1e-300);
-      S(0, 0) -= u_s.head(num_basis).squaredNorm();
-      S(1, 1) -= u_o.head(num_basis).squaredNorm();
-      S(0, 1) -= u_s.head(num_basis).dot(u_o.head(num_basis));
-      S(1, 0) = S(0, 1);
-      const double Q = Removed(S, {u_s[num_basis], u_o[num_basis]}, norm2);
-      if (Q > peak.Q) {
-        peak.Q = Q;
-        peak.order = kLowestOrder + static_cast<double>(first + k) * step;
-      }
-    }
+  int highest = 0;
+  for (int k = 0; k < grid.count; ++k) {
+    Eigen::Matrix2d S_k;
+    S_k << S.ss[k], S.so[k], S.so[k], S.oo[k];
+    Q[k] = Removed(S_k, {z[k].imag(), z[k].real()}, norm2[k]);
+    if (Q[k] > Q[highest]) highest = k;
   }
+  peak.Q = Q[highest];
+  peak.order = TopBetween(grid, Q, highest);
   return peak;
 }
 

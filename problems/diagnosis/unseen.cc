@@ -3,13 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
-
 #include "core/base/rng.h"
-#include "core/math/tsqr.h"
-#include "problems/assembly.h"
-#include "problems/diagnosis/design_rows.h"
 
 namespace dhcal {
 namespace {
@@ -71,56 +65,6 @@ std::vector<int> Regions(const MatrixXd& points) {
   return region;
 }
 
-/// The fit's rows in units of the tolerances, and what they leave.
-struct LinearModel {
-  MatrixXd A;  // rows x unknowns, times tolerance
-  VectorXd y;
-  std::vector<int> recording_row;  // of each row
-};
-
-LinearModel Linear(const CompleteFit& fit, const std::vector<int>& dropped) {
-  const Calibration& c = fit.calibration;
-  const DesignRows rows(c, fit.state(), fit.fit.noise_seen, c.readings.fitted);
-  LinearModel model;
-  model.recording_row = rows.now_row();
-  model.y = rows.y();
-  const VectorXd tolerance = ScalesOf(c.parameters).tolerance;
-  const MatrixXd J = rows.Geometry(c.parameters);
-  std::vector<Index> kept;
-  for (std::size_t k = 0; k < c.parameters.size(); ++k) {
-    const int column = c.parameters[k].effect_column;
-    const auto i = static_cast<Index>(k);
-    if (column >= 0 && std::find(dropped.begin(), dropped.end(), column) != dropped.end()) {
-      model.y += J.col(i) * fit.state()[i];
-    } else {
-      kept.push_back(i);
-    }
-  }
-  model.A.resize(J.rows(), static_cast<Index>(kept.size()));
-  for (std::size_t k = 0; k < kept.size(); ++k) {
-    model.A.col(static_cast<Index>(k)) = J.col(kept[k]) * tolerance[kept[k]];
-  }
-  return model;
-}
-
-VectorXd Solve(const MatrixXd& A, const VectorXd& y) {
-  Tsqr tsqr(static_cast<int>(A.cols()) + 1);
-  MatrixXd rows(A.rows(), A.cols() + 1);
-  rows << A, y;
-  tsqr.Add(rows);
-  const MatrixXd& R = tsqr.R();
-  const Index n = A.cols();
-  const Eigen::JacobiSVD<MatrixXd> svd(R.topLeftCorner(n, n),
-                                       Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const VectorXd b = svd.matrixU().transpose() * R.col(n).head(n);
-  VectorXd x = VectorXd::Zero(n);
-  for (Index k = 0; k < n; ++k) {
-    const double s = svd.singularValues()[k];
-    if (s > 1) x += svd.matrixV().col(k) * (b[k] / s);
-  }
-  return x;
-}
-
 }  // namespace
 
 Folds MakeFolds(const Calibration& c) {
@@ -139,29 +83,57 @@ Folds MakeFolds(const Calibration& c) {
   return folds;
 }
 
-VectorXd LeftOutResiduals(const CompleteFit& fit,
-                          const Folds& folds,
-                          const std::vector<int>& dropped) {
-  const LinearModel model = Linear(fit, dropped);
-  VectorXd residuals = VectorXd::Zero(model.y.size());
-  for (int fold = 0; fold < folds.count; ++fold) {
-    std::vector<int> in, out;
-    for (Index k = 0; k < model.y.size(); ++k) {
-      const auto row = static_cast<std::size_t>(model.recording_row[static_cast<std::size_t>(k)]);
-      (folds.of_row[row] == fold ? out : in).push_back(static_cast<int>(k));
-    }
-    if (out.empty() || in.empty()) continue;
-    const MatrixXd A_in = model.A(in, Eigen::all), A_out = model.A(out, Eigen::all);
-    const VectorXd x = Solve(A_in, model.y(in));
-    const VectorXd left = model.y(out) - A_out * x;
-    for (std::size_t k = 0; k < out.size(); ++k) residuals[out[k]] = left[static_cast<Index>(k)];
+LeftOutRows::LeftOutRows(const CompleteFit& fit, const Folds& folds)
+    : model_(fit.calibration, fit.state(), fit.fit.noise_seen),
+      rows_(static_cast<std::size_t>(folds.count)) {
+  const Calibration& c = fit.calibration;
+  unknown_of_effect_.resize(c.effect_columns.size());
+  for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+    const int column = c.parameters[k].effect_column;
+    if (column >= 0) unknown_of_effect_[static_cast<std::size_t>(column)] = static_cast<int>(k);
+  }
+  for (std::size_t k = 0; k < model_.recording_row.size(); ++k) {
+    const int fold = folds.of_row[static_cast<std::size_t>(model_.recording_row[k])];
+    rows_[static_cast<std::size_t>(fold)].push_back(static_cast<int>(k));
+  }
+  const Index size = model_.A.cols();
+  all_ = {MatrixXd::Zero(size, size), VectorXd::Zero(size)};
+  for (const std::vector<int>& rows : rows_) {
+    folds_.push_back(rows.empty()
+                         ? NormalEquations{MatrixXd::Zero(size, size), VectorXd::Zero(size)}
+                         : NormalEquationsOf(model_, rows));
+    all_.H += folds_.back().H;
+    all_.b += folds_.back().b;
+  }
+}
+
+std::vector<int> LeftOutRows::Kept(const std::vector<int>& dropped) const {
+  std::vector<bool> is_dropped(static_cast<std::size_t>(model_.A.cols()), false);
+  for (const int column : dropped) {
+    const int unknown = unknown_of_effect_[static_cast<std::size_t>(column)];
+    is_dropped[static_cast<std::size_t>(unknown)] = true;
+  }
+  std::vector<int> kept;
+  for (std::size_t k = 0; k < is_dropped.size(); ++k) {
+    if (!is_dropped[k]) kept.push_back(static_cast<int>(k));
+  }
+  return kept;
+}
+
+VectorXd LeftOutRows::Residuals(const std::vector<int>& dropped) const {
+  const std::vector<int> kept = Kept(dropped);
+  VectorXd residuals = VectorXd::Zero(model_.y.size());
+  for (std::size_t fold = 0; fold < folds_.size(); ++fold) {
+    const std::vector<int>& out = rows_[fold];
+    if (out.empty() || out.size() == model_.recording_row.size()) continue;
+    const VectorXd x = Solve({all_.H - folds_[fold].H, all_.b - folds_[fold].b}, kept);
+    for (const int row : out) residuals[row] = model_.y[row] - model_.A.row(row).dot(x);
   }
   return residuals;
 }
 
-VectorXd FittedResiduals(const CompleteFit& fit, const std::vector<int>& dropped) {
-  const LinearModel model = Linear(fit, dropped);
-  return model.y - model.A * Solve(model.A, model.y);
+VectorXd LeftOutRows::Fitted(const std::vector<int>& dropped) const {
+  return model_.y - model_.A * Solve(all_, Kept(dropped));
 }
 
 }  // namespace dhcal

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "problems/diagnosis/complete_fit.h"
+#include "problems/diagnosis/linear_model.h"
 
 namespace dhcal {
 
@@ -23,16 +24,27 @@ struct Folds {
 /// joint space (k-means).
 Folds MakeFolds(const Calibration& calibration);
 
-/// Residuals of each reading predicted by the linear model of the other folds; whitened, rows as in
-/// the calibration's readings. Directions that the others do not determine beyond the tolerances
-/// are left at the fit (noise rule). `dropped` (empty = none): effect columns that the model is
-/// not allowed to use; their part is put back into the readings.
-Eigen::VectorXd LeftOutResiduals(const CompleteFit& fit,
-                                 const Folds& folds,
-                                 const std::vector<int>& dropped);
+/// Predictions by the linear model at a fit, prepared once for all effects that are left out in
+/// turn. Unknowns have their tolerances as priors.
+class LeftOutRows {
+ public:
+  LeftOutRows(const CompleteFit& fit, const Folds& folds);
 
-/// The same rows as fitted.
-Eigen::VectorXd FittedResiduals(const CompleteFit& fit, const std::vector<int>& dropped);
+  /// Residuals of each reading predicted from the other folds; whitened, rows as in the
+  /// calibration's readings. `dropped` (may be empty): effect columns that the model may not use.
+  Eigen::VectorXd Residuals(const std::vector<int>& dropped) const;
+  /// The same rows as fitted.
+  Eigen::VectorXd Fitted(const std::vector<int>& dropped) const;
+
+ private:
+  std::vector<int> Kept(const std::vector<int>& dropped) const;
+
+  LinearModel model_;
+  std::vector<int> unknown_of_effect_;  // position of each effect column among the unknowns
+  std::vector<std::vector<int>> rows_;  // of each fold
+  std::vector<NormalEquations> folds_;
+  NormalEquations all_;
+};
 
 }  // namespace dhcal
 
