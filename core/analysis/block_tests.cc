@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -44,20 +45,36 @@ MatrixXd PseudoRoot(const MatrixXd& S, const VectorXd& norm2) {
 }
 
 /// The same span from a pivoted Cholesky factor: for models of hundreds of columns, at a twentieth
-/// of the cost. Columns that the others leave nothing of are not used.
+/// of the cost. Columns that the others leave nothing of are not used. (Eigen's LDLT looks at
+/// diagonals that it has not brought up to date, so that it may meet a dependent column early.)
 MatrixXd PivotedRoot(const MatrixXd& S, const VectorXd& norm2) {
   const VectorXd scale = norm2.cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const MatrixXd scaled = scale.asDiagonal() * S * scale.asDiagonal();
-  const Eigen::LDLT<MatrixXd> ldlt(scaled);
-  const VectorXd D = ldlt.vectorD();
+  MatrixXd left = scale.asDiagonal() * S * scale.asDiagonal();
+  const Index size = left.rows();
+  MatrixXd L = MatrixXd::Zero(size, size);
+  std::vector<Index> order(static_cast<std::size_t>(size));
+  std::iota(order.begin(), order.end(), Index{0});
   Index rank = 0;
-  while (rank < D.size() && D[rank] > kSmallestShare) ++rank;
-  const MatrixXd L = MatrixXd(ldlt.matrixL()).topLeftCorner(rank, rank);
-  MatrixXd F = MatrixXd::Zero(S.rows(), rank);
-  F.topRows(rank) = D.head(rank).cwiseSqrt().cwiseInverse().asDiagonal();
-  auto used = F.topRows(rank);
-  L.transpose().triangularView<Eigen::UnitUpper>().solveInPlace(used);
-  F = ldlt.transpositionsP().transpose() * F;
+  for (; rank < size; ++rank) {
+    Index pivot = 0;
+    if (left.diagonal().tail(size - rank).maxCoeff(&pivot) <= kSmallestShare) break;
+    pivot += rank;
+    left.row(rank).swap(left.row(pivot));
+    left.col(rank).swap(left.col(pivot));
+    L.row(rank).swap(L.row(pivot));
+    std::swap(order[static_cast<std::size_t>(rank)], order[static_cast<std::size_t>(pivot)]);
+    const Index rest = size - rank - 1;
+    L(rank, rank) = std::sqrt(left(rank, rank));
+    L.col(rank).tail(rest) = left.col(rank).tail(rest) / L(rank, rank);
+    left.bottomRightCorner(rest, rest).noalias() -=
+        L.col(rank).tail(rest) * L.col(rank).tail(rest).transpose();
+  }
+  const MatrixXd root = L.topLeftCorner(rank, rank)
+                            .triangularView<Eigen::Lower>()
+                            .transpose()
+                            .solve(MatrixXd::Identity(rank, rank));
+  MatrixXd F = MatrixXd::Zero(size, rank);
+  for (Index k = 0; k < rank; ++k) F.row(order[static_cast<std::size_t>(k)]) = root.row(k);
   return scale.asDiagonal() * F;
 }
 

@@ -118,15 +118,12 @@ MatrixXd Elsewhere::Moves(const EffectRequest& request,
   return moves;
 }
 
-HiddenRisk Elsewhere::Risk(int hypothesis,
-                           const std::vector<int>& accepted,
-                           double sigma_scale) const {
+HiddenRisk Elsewhere::Risk(int hypothesis, const MatrixXd& basis, double sigma_scale) const {
   const Hypothesis& h = space_.all()[static_cast<std::size_t>(hypothesis)];
   HiddenRisk risk;
   risk.effect = h.request;
   const std::vector<EffectColumn> columns = EffectColumns(space_.context(), h.request);
   risk.unit = columns.front().unit;
-  const MatrixXd basis = space_.BasisOf(accepted);
   const MatrixXd raw = Raw(h.request);
   const MatrixXd X = ProjectOff(basis, space_.Projected(hypothesis));
   const double seen = X.col(0).norm();

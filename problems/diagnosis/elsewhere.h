@@ -22,8 +22,8 @@ class Elsewhere {
             const HypothesisSpace& space,
             const std::vector<Parameter>& geometry);
 
-  /// Visibility, limit and risk of a named hypothesis, with what is accepted already in the model.
-  HiddenRisk Risk(int hypothesis, const std::vector<int>& accepted, double sigma_scale) const;
+  /// Visibility, limit and risk of a named hypothesis beside the basis of what is accepted.
+  HiddenRisk Risk(int hypothesis, const Eigen::MatrixXd& basis, double sigma_scale) const;
 
   /// Poses at which `one`, as large as it is in the fit, differs most from the best that geometry
   /// and `other` can do with the recorded rows. Largest first, with the difference [m].

@@ -63,7 +63,10 @@ int HypothesisSpace::AddEffect(const EffectRequest& request, bool in_maximum) {
   h.place = effect->Place(context_, request);
   h.family = FamilyOf(request);
   h.in_maximum = in_maximum;
-  h.columns = AddColumns(Raw(effect->Columns(context_, request)));
+  const std::vector<EffectColumn> columns = effect->Columns(context_, request);
+  h.columns = AddColumns(Raw(columns));
+  const double prior = columns.front().prior_sigma / columns.front().typical;
+  if (prior > 0) h.prior_variance = prior * prior;
   all_.push_back(h);
   const auto idx = static_cast<int>(all_.size()) - 1;
   std::vector<EffectColumn> errors = effect->ShapeErrors(context_, request);

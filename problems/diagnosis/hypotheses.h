@@ -26,6 +26,7 @@ struct Hypothesis {
   Eigen::VectorXd driver_values;  // anonymous, per recording row; empty = several drivers
   std::vector<double> knots;      // anonymous, of a curve
   ColumnRange columns;
+  double prior_variance = 0;  // of a coefficient in units of its column; 0 = none
   bool in_maximum = true;
   /// Step instants, orders, time constants of one family differ only in settings.
   std::string family;

@@ -7,6 +7,8 @@
 #include <set>
 #include <string>
 
+#include <Eigen/Eigenvalues>
+
 #include "core/physics/registry.h"
 #include "problems/diagnosis/projection.h"
 #include "problems/diagnosis/refine.h"
@@ -288,7 +290,27 @@ double SetTester::Evidence(const std::vector<int>& members) const {
   const double gain = options_.sigma_known
                           ? removed
                           : -n * std::log(std::max(1 - removed / tests_->gram().rss, 1e-12));
-  return gain - static_cast<double>(model.columns.size()) * std::log(n);
+  const double noise = options_.sigma_known ? 1 : (tests_->gram().rss - removed) / n;
+  double price = 0;
+  for (const int k : members) price += Price(k, noise);
+  return gain - price;
+}
+
+double SetTester::Price(int k, double noise) const {
+  const ColumnRange& range = at(k).columns;
+  const double by_count = range.size * std::log(options_.nu);
+  if (!(at(k).prior_variance > 0)) return by_count;
+  // Coefficients with a prior: only those that the rows determine cost anything (the determinant of
+  // the Laplace approximation, physics.md B.2).
+  auto& squares = curve_squares_[k];
+  if (squares.size() == 0) {
+    squares = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+                  tests_->gram().S.block(range.first, range.first, range.size, range.size),
+                  Eigen::EigenvaluesOnly)
+                  .eigenvalues()
+                  .cwiseMax(0.0);
+  }
+  return (squares.array() * (at(k).prior_variance / noise)).log1p().sum();
 }
 
 bool SetTester::Conflicts(int k, const std::vector<int>& members) const {

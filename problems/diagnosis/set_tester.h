@@ -2,6 +2,7 @@
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_SET_TESTER_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_SET_TESTER_H_
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -57,6 +58,8 @@ class SetTester {
   std::vector<int> Polished(std::vector<int> members);
 
  private:
+  /// What a hypothesis costs in evidence; `noise`: variance of a whitened row.
+  double Price(int hypothesis, double noise) const;
   bool MayBeNamed(const std::string& effect) const;
   /// What a model may leave of each block without being rejected.
   Eigen::VectorXd Excused(const BlockModel& model, const std::vector<int>& members) const;
@@ -76,6 +79,7 @@ class SetTester {
   std::vector<int> lines_;  // hypotheses that a scan found
   double scan_width_;
   mutable std::vector<int> basis_members_;
+  mutable std::map<int, Eigen::VectorXd> curve_squares_;  // eigenvalues of curves' Gram matrices
   mutable Eigen::MatrixXd basis_;
 };
 

@@ -239,12 +239,13 @@ void AddHidden(const Elsewhere& elsewhere,
                const SearchOutcome& out,
                double sigma_scale,
                DiagnosisResult* d) {
+  const Eigen::MatrixXd basis = space.BasisOf(out.accepted);
   std::set<std::string> seen;
   for (const int k : out.accepted) seen.insert(At(space, k).family);
   for (int k = 0; k < static_cast<int>(space.all().size()); ++k) {
     const Hypothesis& h = At(space, k);
     if (!h.named || !seen.insert(h.family).second) continue;
-    d->hidden.push_back(elsewhere.Risk(k, out.accepted, sigma_scale));
+    d->hidden.push_back(elsewhere.Risk(k, basis, sigma_scale));
   }
   std::sort(d->hidden.begin(), d->hidden.end(), [](const HiddenRisk& a, const HiddenRisk& b) {
     const double x = std::isnan(a.risk) ? -1 : a.risk, y = std::isnan(b.risk) ? -1 : b.risk;
