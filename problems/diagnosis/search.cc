@@ -369,31 +369,6 @@ class Searcher {
 
 }  // namespace
 
-BlockModel ModelOf(const HypothesisSpace& space,
-                   const BlockTests& tests,
-                   const std::vector<int>& members) {
-  BlockModel model;
-  for (const int k : members) {
-    for (const int column : tests.Columns(k)) model.columns.push_back(column);
-  }
-  std::vector<double> sigma;
-  const Eigen::VectorXd estimate = members.empty() ? Eigen::VectorXd() : tests.Estimate(model);
-  Eigen::Index first = 0;
-  for (const int k : members) {
-    const Hypothesis& h = space.all()[static_cast<std::size_t>(k)];
-    if (h.shape_block >= 0) {
-      for (const int column : tests.Columns(h.shape_block)) {
-        model.soft.push_back(column);
-        sigma.push_back(std::abs(estimate[first]));
-      }
-    }
-    first += h.columns.size;
-  }
-  model.soft_sigma =
-      Eigen::Map<Eigen::VectorXd>(sigma.data(), static_cast<Eigen::Index>(sigma.size()));
-  return model;
-}
-
 SearchOutcome Search(const SearchOptions& options, HypothesisSpace* space) {
   return Searcher(options, space).Run();
 }

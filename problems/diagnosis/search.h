@@ -46,12 +46,6 @@ struct SearchOutcome {
 /// May add hypotheses to the space (peaks of the spectrum, refined instants).
 SearchOutcome Search(const SearchOptions& options, HypothesisSpace* space);
 
-/// The model of a set of named hypotheses: their columns, and the errors of their shapes in
-/// proportion to their estimated size.
-BlockModel ModelOf(const HypothesisSpace& space,
-                   const BlockTests& tests,
-                   const std::vector<int>& members);
-
 }  // namespace dhcal
 
 #endif  // DHCAL_PROBLEMS_DIAGNOSIS_SEARCH_H_

@@ -65,7 +65,26 @@ void SetTester::Rebuild() {
 }
 
 BlockModel SetTester::Model(const std::vector<int>& members) const {
-  return ModelOf(*space_, *tests_, members);
+  BlockModel model;
+  for (const int k : members) {
+    for (const int column : tests_->Columns(k)) model.columns.push_back(column);
+  }
+  std::vector<double> sigma;
+  const Eigen::VectorXd estimate = members.empty() ? Eigen::VectorXd() : tests_->Estimate(model);
+  Eigen::Index first = 0;
+  for (const int k : members) {
+    const Hypothesis& h = space_->all()[static_cast<std::size_t>(k)];
+    if (h.shape_block >= 0) {
+      for (const int column : tests_->Columns(h.shape_block)) {
+        model.soft.push_back(column);
+        sigma.push_back(std::abs(estimate[first]));
+      }
+    }
+    first += h.columns.size;
+  }
+  model.soft_sigma =
+      Eigen::Map<Eigen::VectorXd>(sigma.data(), static_cast<Eigen::Index>(sigma.size()));
+  return model;
 }
 
 bool SetTester::MayBeNamed(const std::string& effect) const {

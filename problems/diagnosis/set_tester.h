@@ -31,6 +31,8 @@ class SetTester {
   /// Hypotheses that may be named.
   const std::vector<int>& names() const { return names_; }
   const Hypothesis& at(int idx) const { return space_->all()[static_cast<std::size_t>(idx)]; }
+  /// The model of a set of names: their columns, and the errors of their shapes in proportion to
+  /// their estimated size.
   BlockModel Model(const std::vector<int>& members) const;
 
   /// Tests a set; a hopeless one at small cost. `rescan`: a set that passes is also held against a

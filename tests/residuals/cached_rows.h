@@ -72,7 +72,7 @@ class CachedRows {
   static std::vector<CacheRow> Rows(const RobotModel& robot, int num_rows, Rng* rng) {
     std::vector<CacheRow> rows;
     for (int row_idx = 0; row_idx < num_rows; ++row_idx) {
-      rows.push_back({RandomJoints(robot, rng), row_idx % 2, {}});
+      rows.push_back({RandomJoints(robot, rng), row_idx % 2, {}, {}});
     }
     return rows;
   }
@@ -151,7 +151,7 @@ class OneArmRows {
  private:
   static std::vector<CacheRow> Rows(const std::vector<double>& q) {
     std::vector<CacheRow> rows;
-    for (const double angle : q) rows.push_back({Eigen::VectorXd::Constant(1, angle), 0, {}});
+    for (const double angle : q) rows.push_back({Eigen::VectorXd::Constant(1, angle), 0, {}, {}});
     return rows;
   }
 };

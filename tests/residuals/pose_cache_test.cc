@@ -121,8 +121,11 @@ TEST(PoseCache, KeepsMeansWithThePosesThroughALookElsewhere) {
 TEST(PoseCache, AddsParametersOfTheSameSlot) {
   const DhChain chain(OneArm());
   std::vector<double> state = {0.3, 0.4};
-  PoseCache cache(
-      &chain, {Scope{EndFrames(), {0, 1}, {0, 0}}}, {{VectorXd::Zero(1), 0, {}}}, &state, false);
+  PoseCache cache(&chain,
+                  {Scope{EndFrames(), {0, 1}, {0, 0}}},
+                  {{VectorXd::Zero(1), 0, {}, {}}},
+                  &state,
+                  false);
   cache.PrepareForEvaluation(true, true);
   EXPECT_THAT(cache.p_WQ(0), MatrixNear(Vector3d(std::cos(0.7), std::sin(0.7), 0), 1e-15));
   EXPECT_EQ(Vector3d(cache.J_p(0).col(0)), Vector3d(cache.J_p(0).col(1)));

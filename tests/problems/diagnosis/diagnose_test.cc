@@ -333,7 +333,8 @@ std::vector<const Effect*> Physics() {
     const std::string name = effect->Describe().name;
     // Geometry is tested above; a scale is never visible.
     if (name == "axis_tilt" || name == "base_frame" || name == "tool_offset") continue;
-    if (name != "sensor_scale") physics.push_back(effect);
+    // An error curve is offered beside several lines of a gear only: error_curve_test.cc.
+    if (name != "sensor_scale" && name != "transmission_error") physics.push_back(effect);
   }
   return physics;
 }

@@ -25,11 +25,13 @@
 namespace dhcal {
 namespace {
 
-/// Effect and place; settings rounded, since orders are refined to the last digit.
+/// Effect and place; settings rounded, since orders are refined to the last digit. The end of a soft
+/// zone is refined as well, over a wide range that noise moves it in.
 std::string Label(const EffectRequest& request) {
   std::string label = fmt::format("{}.{}", request.effect, request.joint);
-  for (const auto& [name, value] : request.settings)
-    label += fmt::format(" {} {:.0f}", name, value);
+  for (const auto& [name, value] : request.settings) {
+    label += name == "soft_torque_Nm" ? " soft" : fmt::format(" {} {:.0f}", name, value);
+  }
   return label;
 }
 
