@@ -21,7 +21,8 @@ VectorXd Degrees(const std::vector<double>& values) {
   return radians;
 }
 
-DrawnLink Link(double theta_deg, double d, double a, double alpha_deg, double mass, Vector3d com) {
+DrawnLink Link(
+    double theta_deg, double d, double a, double alpha_deg, double mass, const Vector3d& com) {
   DrawnLink link;
   link.theta = theta_deg * kDegree;
   link.d = d;

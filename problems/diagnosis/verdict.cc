@@ -229,7 +229,9 @@ void AddUnexplained(const HypothesisSpace& space,
             (d->rms_train_before * d->rms_train_before - d->rms_train_after * d->rms_train_after) /
             (sigma * sigma);
   }
-  const double left = std::max(all - named, 0.0);
+  // A refit of many unknowns may remove more than the search's descriptions could: what these add
+  // to the names is left all the same.
+  const double left = std::max(all - named, out.removed_by_all - out.removed_by_names);
   d->unexplained->fraction = std::min(left / all, 1.0);
   d->unexplained->rms = sigma * std::sqrt(left / n);
 }
