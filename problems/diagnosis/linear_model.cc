@@ -1,6 +1,7 @@
 #include "problems/diagnosis/linear_model.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -28,24 +29,26 @@ LinearModel::LinearModel(const Calibration& c, const VectorXd& state, const Nois
 }
 
 NormalEquations NormalEquationsOf(const LinearModel& model, const std::vector<int>& rows) {
-  constexpr Index kRowsAtOnce = 2048;
+  constexpr std::size_t kRowsAtOnce = 2048;
   const Index num_columns = model.A.cols();
-  const auto num_rows = rows.empty() ? model.A.rows() : static_cast<Index>(rows.size());
-  NormalEquations normal{MatrixXd::Zero(num_columns, num_columns), VectorXd::Zero(num_columns)};
-  for (Index first = 0; first < num_rows; first += kRowsAtOnce) {
-    const Index count = std::min(kRowsAtOnce, num_rows - first);
-    MatrixXd A(count, num_columns);
-    VectorXd y(count);
-    for (Index k = 0; k < count; ++k) {
-      const Index row = rows.empty() ? first + k : rows[static_cast<std::size_t>(first + k)];
-      A.row(k) = model.A.row(row);
-      y[k] = model.y[row];
-    }
-    normal.H.selfadjointView<Eigen::Lower>().rankUpdate(A.transpose());
-    normal.b.noalias() += A.transpose() * y;
+  std::vector<int> used = rows;
+  if (used.empty()) {
+    used.resize(static_cast<std::size_t>(model.A.rows()));
+    std::iota(used.begin(), used.end(), 0);
   }
-  normal.H.triangularView<Eigen::StrictlyUpper>() = normal.H.transpose();
-  return normal;
+  // With y as one more column its products come along.
+  MatrixXd products = MatrixXd::Zero(num_columns + 1, num_columns + 1);
+  for (std::size_t first = 0; first < used.size(); first += kRowsAtOnce) {
+    const std::size_t last = std::min(first + kRowsAtOnce, used.size());
+    const std::vector<int> some(used.begin() + static_cast<long>(first),
+                                used.begin() + static_cast<long>(last));
+    MatrixXd rows_and_y(static_cast<Index>(some.size()), num_columns + 1);
+    rows_and_y << model.A(some, Eigen::all), model.y(some);
+    products.selfadjointView<Eigen::Lower>().rankUpdate(rows_and_y.transpose());
+  }
+  products.triangularView<Eigen::StrictlyUpper>() = products.transpose();
+  return {products.topLeftCorner(num_columns, num_columns),
+          products.col(num_columns).head(num_columns)};
 }
 
 VectorXd Solve(const NormalEquations& normal, const std::vector<int>& kept) {
