@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "core/io/problem_reader.h"
 #include "core/io/recording_reader.h"
 #include "problems/concealed/scenarios.h"
+#include "tests/support/files.h"
 #include "tests/support/sanitized.h"
 
 namespace dhcal::concealed {
@@ -76,6 +78,21 @@ INSTANTIATE_TEST_SUITE_P(Suite,
                          EveryScenario,
                          ::testing::ValuesIn(AllScenarios()),
                          [](const auto& param) { return param.param.name; });
+
+std::string ReadAll(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(KeptCases, NameTheHashOfTheirAnswers) {
+  const fs::path kept = SourcePath("problems/concealed/kept");
+  for (const char* const name : {"D5_kr15_01", "D10_ur10_02", "D18A_small_03"}) {
+    const std::string answer = ReadAll(kept / "sealed" / (std::string(name) + ".json"));
+    ASSERT_FALSE(answer.empty()) << name;
+    EXPECT_THAT(ReadAll(kept / name / "problem.yaml"), HasSubstr(Sha256(answer))) << name;
+    EXPECT_GT(ReadAll(kept / name / "recording.csv").size(), 10000U) << name;
+  }
+}
 
 TEST(Scenarios, ShareNoNoise) {
   // The same seed in two scenarios must not repeat a rare draw.
