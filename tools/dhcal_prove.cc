@@ -7,6 +7,7 @@
 // what was found, what was missed and where it abstained. DIR/proof.json holds all outcomes.
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -116,19 +117,22 @@ int Run() {
 }  // namespace dhcal
 
 int main(int argc, char** argv) {
-  gflags::SetUsageMessage(
-      "proves the diagnosis on recordings whose answer it is not told\n\n"
-      "  dhcal_prove --out DIR [--quick] [--seeds N] [--only D4,D5] [--jobs N] [--verbose]");
-  gflags::ParseCommandLineFlags(&argc, &argv, true);
-  if (argc > 1) {
-    std::cerr << fmt::format("dhcal_prove: unknown argument {}; see --help\n", argv[1]);
-    return 2;
-  }
-  if (FLAGS_list) {
+  try {
+    gflags::SetUsageMessage(
+        "proves the diagnosis on recordings whose answer it is not told\n\n"
+        "  dhcal_prove --out DIR [--quick] [--seeds N] [--only D4,D5] [--jobs N] [--verbose]");
+    gflags::ParseCommandLineFlags(&argc, &argv, true);
+    if (argc > 1) {
+      std::cerr << "dhcal_prove: unknown argument " << argv[1] << "; see --help\n";
+      return 2;
+    }
+    if (!FLAGS_list) return dhcal::Run();
     for (const auto& scenario : dhcal::concealed::AllScenarios()) {
       std::cout << fmt::format("{:<5} {}\n", scenario.name, scenario.story);
     }
     return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "dhcal_prove: " << error.what() << "\n";
+    return 2;
   }
-  return dhcal::Run();
 }
