@@ -9,7 +9,6 @@
 #include <chrono>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 #include <thread>
@@ -66,9 +65,7 @@ void WriteJson(const std::filesystem::path& file,
                                   {"figures", FiguresToJson(Figures(scores))},
                                   {"cases", nlohmann::ordered_json::array()}};
   for (const ProofScore& score : scores) proof["cases"].push_back(ScoreToJson(score));
-  const std::filesystem::path aside = file.string() + ".part";
-  std::ofstream(aside) << proof.dump(1) << "\n";
-  std::filesystem::rename(aside, file);
+  WriteWhole(file, proof.dump(1) + "\n");
 }
 
 int Run() {

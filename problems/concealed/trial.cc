@@ -16,11 +16,6 @@ using Eigen::VectorXd;
 constexpr int kPosesElsewhere = 200;
 constexpr double kHalfRangeElsewhere = 120 * kDegree;
 
-VectorXd Stacked(const MatrixXd& positions) {
-  const MatrixXd transposed = positions.transpose();
-  return Eigen::Map<const VectorXd>(transposed.data(), transposed.size());
-}
-
 MatrixXd AsMeasured(const Trial& trial, const MatrixXd& rows) {
   return trial.differences ? Differences(rows, trial.motion) : rows;
 }

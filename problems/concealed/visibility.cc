@@ -25,11 +25,6 @@ constexpr double kHypotheses = 200;             // that the known effect compete
 constexpr double kTolerance = 1e-3;             // [rad] or [m], of a freedom
 constexpr double kLargestNonCentrality = 2000;  // beyond: found for certain
 
-VectorXd Stacked(const MatrixXd& positions) {
-  const MatrixXd transposed = positions.transpose();
-  return Eigen::Map<const VectorXd>(transposed.data(), transposed.size());
-}
-
 /// Every freedom of an arm as a function that moves it.
 std::vector<std::function<void(Arm*, double)>> Freedoms(const Arm& drawing) {
   std::vector<std::function<void(Arm*, double)>> freedoms;
@@ -82,6 +77,11 @@ double PowerOf(double lambda, int parameters) {
 }
 
 }  // namespace
+
+VectorXd Stacked(const MatrixXd& positions) {
+  const MatrixXd transposed = positions.transpose();
+  return Eigen::Map<const VectorXd>(transposed.data(), transposed.size());
+}
 
 MatrixXd GeometrySignatures(const Arm& drawing, const Arm& built, const Motion& motion) {
   const Physics rigid(built.num_joints());

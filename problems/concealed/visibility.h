@@ -12,6 +12,9 @@
 
 namespace dhcal::concealed {
 
+/// Positions (poses x 3) as one column, pose by pose.
+Eigen::VectorXd Stacked(const Eigen::MatrixXd& positions);
+
 /// d position / d every geometric freedom of the arm (DH rows, Hayati's angles where the drawing's
 /// axes are parallel, base, tool), by central differences; 3 poses x freedoms.
 Eigen::MatrixXd GeometrySignatures(const Arm& drawing, const Arm& built, const Motion& motion);

@@ -122,20 +122,17 @@ class Searcher {
   /// Names that do not conflict, the highest score beside the members' price first; only those
   /// whose own p stands the number of names tried.
   std::vector<int> Candidates(const std::vector<int>& members) const {
-    const std::vector<BlockScore> scores = tester_.tests().Scores(tester_.Model(members));
+    const BlockModel model = tester_.Model(members);
+    const std::vector<BlockScore> scores = tester_.tests().Scores(model);
     const auto count = static_cast<double>(tester_.names().size());
-    const double left =
-        tester_.tests().gram().rss - tester_.tests().Removed(tester_.Model(members));
+    const double left = tester_.tests().gram().rss - tester_.tests().Removed(model);
     std::vector<std::pair<double, int>> ranked;
     for (const int k : tester_.names()) {
       const BlockScore& score = scores[static_cast<std::size_t>(k)];
       if (tester_.Conflicts(k, members)) continue;
       if (score.p * count > options_.false_alarm) continue;
-      const double gain =
-          options_.sigma_known
-              ? score.Q
-              : -options_.nu * std::log(std::max(1 - score.Q / std::max(left, 1e-300), 1e-12));
-      ranked.emplace_back(gain - at(k).columns.size * std::log(options_.nu), k);
+      ranked.emplace_back(tester_.Gain(score.Q, left) - at(k).columns.size * std::log(options_.nu),
+                          k);
     }
     std::sort(ranked.begin(), ranked.end(), std::greater<>());
     std::vector<int> candidates;

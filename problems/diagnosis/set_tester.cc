@@ -139,12 +139,13 @@ const Eigen::MatrixXd& SetTester::Basis(const std::vector<int>& members) const {
 }
 
 double SetTester::EvidenceWith(const SpectralPeak& peak, const std::vector<int>& members) const {
-  const double n = options_.nu;
-  const double rss = tests_->gram().rss - tests_->Removed(Model(members));
-  const double gain = options_.sigma_known
-                          ? peak.Q
-                          : -n * std::log(std::max(1 - peak.Q / std::max(rss, 1e-300), 1e-12));
-  return Evidence(members) + gain - 2 * std::log(n);
+  const double left = tests_->gram().rss - tests_->Removed(Model(members));
+  return Evidence(members) + Gain(peak.Q, left) - 2 * std::log(options_.nu);
+}
+
+double SetTester::Gain(double removed, double rss) const {
+  if (options_.sigma_known) return removed;
+  return -options_.nu * std::log(std::max(1 - removed / std::max(rss, 1e-300), 1e-12));
 }
 
 int SetTester::Curve(int joint) {
@@ -304,12 +305,9 @@ TestedSet SetTester::Try(const std::vector<int>& members, bool rescan) const {
 
 double SetTester::Evidence(const std::vector<int>& members) const {
   const BlockModel model = Model(members);
-  const double n = options_.nu;
   const double removed = tests_->Removed(model);
-  const double gain = options_.sigma_known
-                          ? removed
-                          : -n * std::log(std::max(1 - removed / tests_->gram().rss, 1e-12));
-  const double noise = options_.sigma_known ? 1 : (tests_->gram().rss - removed) / n;
+  const double gain = Gain(removed, tests_->gram().rss);
+  const double noise = options_.sigma_known ? 1 : (tests_->gram().rss - removed) / options_.nu;
   double price = 0;
   for (const int k : members) price += Price(k, noise);
   return gain - price;

@@ -38,6 +38,8 @@ class SetTester {
   /// Tests a set; a hopeless one at small cost. `rescan`: a set that passes is also held against a
   /// new scan of the orders.
   TestedSet Try(const std::vector<int>& members, bool rescan) const;
+  /// Evidence for what removes `removed` of the squares `rss`, before its price.
+  double Gain(double removed, double rss) const;
   /// Evidence of a set: squares removed against the price of its columns (BIC; larger is better).
   double Evidence(const std::vector<int>& members) const;
   /// True when a hypothesis stands for the same as a member: same effect and place with another

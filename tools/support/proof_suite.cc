@@ -5,6 +5,7 @@
 #include <fstream>
 #include <mutex>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 
 #include <fmt/format.h>
@@ -26,14 +27,6 @@ std::string ReadAll(const fs::path& file) {
   std::stringstream text;
   text << stream.rdbuf();
   return text.str();
-}
-
-/// Whole or not at all: a stopped run leaves no half file.
-void WriteWhole(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  const fs::path aside = file.string() + ".part";
-  std::ofstream(aside, std::ios::binary) << text;
-  fs::rename(aside, file);
 }
 
 Json ReadJson(const fs::path& file) {
@@ -152,6 +145,18 @@ void ForgetOtherPrograms(const ProofOptions& options) {
 }
 
 }  // namespace
+
+void WriteWhole(const fs::path& file, const std::string& text) {
+  if (file.has_parent_path()) fs::create_directories(file.parent_path());
+  const fs::path aside = file.string() + ".part";
+  {
+    std::ofstream stream(aside, std::ios::binary);
+    stream << text;
+    stream.close();
+    if (!stream) throw std::runtime_error("cannot write " + aside.string());
+  }
+  fs::rename(aside, file);
+}
 
 std::vector<ProofCase> CasesOf(const ProofOptions& options) {
   std::vector<ProofCase> cases;

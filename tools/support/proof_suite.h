@@ -20,6 +20,10 @@
 
 namespace dhcal {
 
+/// Writes a file whole or not at all, with its folder: a stopped run leaves no half file. Throws
+/// std::runtime_error when it cannot.
+void WriteWhole(const std::filesystem::path& file, const std::string& text);
+
 struct ProofOptions {
   std::filesystem::path folder;
   std::filesystem::path program;  // ceres_dhcal
