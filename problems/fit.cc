@@ -40,7 +40,8 @@ Fit RunFit(const Calibration& calibration,
            SolverMethod method,
            const SolverOptions& options,
            const Noise& initial_noise,
-           const Progress& progress) {
+           const Progress& progress,
+           const Eigen::VectorXd& start) {
   SolverOptions with_progress = options;
   with_progress.progress = [&](const IterationRecord& record) {
     if (!progress) return;
@@ -55,15 +56,17 @@ Fit RunFit(const Calibration& calibration,
   fit.noise = initial_noise;
   double seconds = 0;
   const bool robust = calibration.spec.solver.loss != LossKind::kNone;
-  Eigen::VectorXd start =
-      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(calibration.parameters.size()));
+  Eigen::VectorXd state = start;
+  if (state.size() == 0) {
+    state.setZero(static_cast<Eigen::Index>(calibration.parameters.size()));
+  }
   for (int round = 0; round < kMostNoiseRounds; ++round) {
     // A robust loss gives readings that are far off no weight, and at the start all of them are:
     // the first round is plain least squares, and the next start from there.
     const bool with_loss = robust && round > 0;
     const auto factory = [&] {
       auto problem = BuildProblem(calibration, fit.noise, with_loss);
-      problem->set_state(start);
+      problem->set_state(state);
       return problem;
     };
     fit.summary = MakeSolver(method)->Solve(with_progress, factory);
@@ -74,7 +77,7 @@ Fit RunFit(const Calibration& calibration,
     fit.noise_seen = NoiseFromResiduals(calibration, fit.noise, fit.summary.state, rank);
     const bool settled = !DependsOnNoise(calibration, options) || Agree(fit.noise_seen, fit.noise);
     if (settled && with_loss == robust) break;
-    if (robust) start = fit.summary.state;
+    if (robust) state = fit.summary.state;
     if (round + 1 < kMostNoiseRounds) fit.noise = fit.noise_seen;
   }
   return fit;

@@ -24,14 +24,16 @@ struct Fit {
 /// Solver options as the problem file sets them.
 SolverOptions OptionsOf(const SolverSpec& spec);
 
-/// Solves from the calibration's start. Where the noise is to be estimated and the solution
-/// depends on it (noise rule, robust loss, two kinds of reading), solves again from the start until
-/// the noise that the residuals show agrees with the one assumed to 1 %.
+/// Solves from the calibration's start, or from the state `start` where it is not empty. Where the
+/// noise is to be estimated and the solution depends on it (noise rule, robust loss, two kinds of
+/// reading), solves again from the start until the noise that the residuals show agrees with the
+/// one assumed to 1 %.
 Fit RunFit(const Calibration& calibration,
            SolverMethod method,
            const SolverOptions& options,
            const Noise& initial_noise,
-           const Progress& progress);
+           const Progress& progress,
+           const Eigen::VectorXd& start = {});
 
 }  // namespace dhcal
 

@@ -75,8 +75,9 @@ void PhysicsContext::FillDirections() {
 }
 
 void PhysicsContext::FillClock() {
+  const bool timed = has_time();
   clock_.resize(num_rows());
-  for (int k = 0; k < num_rows(); ++k) clock_[k] = has_time() ? recording_.time[k] : k;
+  for (int k = 0; k < num_rows(); ++k) clock_[k] = timed ? recording_.time[k] : k;
   if (num_rows() == 0) return;
   clock_.array() -= clock_.minCoeff();
   duration_ = clock_.maxCoeff();

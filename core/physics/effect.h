@@ -50,6 +50,9 @@ struct EffectDescription {
   std::string needs;    // columns or keys that it needs; empty = joint angles suffice
   std::string typical;  // size, with its source
   bool has_joint = true;
+  /// A free curve of the joint's angle: no candidate of its own, offered where a search finds more
+  /// lines at a joint than few gears have.
+  bool is_curve = false;
 };
 
 /// Where an effect sits, what drives it, and which others it is easily taken for.
@@ -101,6 +104,9 @@ class Effect {
   /// The instances that a diagnosis tries, settings included.
   virtual std::vector<EffectRequest> Candidates(const PhysicsContext& context) const = 0;
   virtual EffectPlace Place(const PhysicsContext& context, const EffectRequest& request) const = 0;
+  /// True if the joint angles and the payload alone say what it does: such an effect can be
+  /// predicted at poses that were not recorded.
+  virtual bool DependsOnPoseOnly(const EffectRequest& /*request*/) const { return false; }
   /// "joint 2 yields 1.13 +- 0.05 urad per N m under gravity".
   virtual std::string Sentence(const EffectRequest& request,
                                const std::vector<EffectValue>& values) const = 0;

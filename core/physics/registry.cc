@@ -46,6 +46,13 @@ const Effect* FindEffect(const std::string& name) {
   return nullptr;
 }
 
+const Effect& CurveEffect() {
+  for (const Effect* const effect : AllEffects()) {
+    if (effect->Describe().is_curve) return *effect;
+  }
+  LOG(FATAL) << "the library has no free curve";
+}
+
 std::vector<std::string> EffectNames() {
   std::vector<std::string> names;
   for (const Effect* const effect : AllEffects()) names.push_back(effect->Describe().name);

@@ -16,6 +16,9 @@ const std::vector<const Effect*>& AllEffects();
 /// Null when there is none of this name.
 const Effect* FindEffect(const std::string& name);
 
+/// The library's free curve of a joint's angle.
+const Effect& CurveEffect();
+
 std::vector<std::string> EffectNames();
 
 /// Columns of a request's effect; the effect must exist and be testable.

@@ -59,24 +59,42 @@ Eigen::VectorXd StateOf(const Calibration& c, const std::map<std::string, double
   return state;
 }
 
+/// All unknowns of a model from its normal equations, with the noise that this solution leaves
+/// instead of the one that whitened the rows.
+Eigen::VectorXd SolveAll(const LinearModel& model, bool noise_given, Noise* noise) {
+  constexpr int kRounds = 3;
+  std::vector<int> unknowns(static_cast<std::size_t>(model.A.cols()));
+  std::iota(unknowns.begin(), unknowns.end(), 0);
+  const NormalEquations normal = NormalEquationsOf(model, {});
+  double variance = 1;
+  Eigen::VectorXd x = Solve(normal, unknowns);
+  for (int round = 0; round < kRounds && !noise_given; ++round) {
+    const auto dof =
+        static_cast<double>(std::max<Eigen::Index>(model.A.rows() - model.A.cols(), 1));
+    variance = (model.y - model.A * x).squaredNorm() / dof;
+    x = Solve(normal, unknowns, variance);
+  }
+  noise->sigma *= std::sqrt(variance);
+  noise->sigma_rotation *= std::sqrt(variance);
+  return x.head(model.tolerance.size()).cwiseProduct(model.tolerance);
+}
+
 /// The curves' coefficients beside everything else, in turn with a fit of everything else with the
-/// curves held: two turns, because the first knows the noise only with the curves in it. Ends with
-/// all effects as unknowns.
+/// curves held. Starts from `named` and the noise of `result`; ends with all effects as unknowns.
 void FitCurves(const std::vector<EffectRequest>& all,
                const std::vector<bool>& is_curve,
+               std::map<std::string, double> named,
                const Progress& progress,
                CompleteFit* result) {
   constexpr int kTurns = 2;
   Calibration& c = result->calibration;
+  const bool noise_given = SourceOfNoise(c).all_given();
   std::vector<EffectRequest> held = all;
-  std::map<std::string, double> named = Named(c, result->state());
   for (int turn = 0; turn < kTurns && result->usable(); ++turn) {
     c.SetEffects(all);
-    const LinearModel model(c, StateOf(c, named), result->fit.noise_seen);
-    std::vector<int> unknowns(static_cast<std::size_t>(model.A.cols()));
-    std::iota(unknowns.begin(), unknowns.end(), 0);
-    const Eigen::VectorXd x = Solve(NormalEquationsOf(model, {}), unknowns);
-    const Eigen::VectorXd values = x.head(model.tolerance.size()).cwiseProduct(model.tolerance);
+    Noise noise = result->fit.noise_seen;
+    const Eigen::VectorXd values =
+        SolveAll(LinearModel(c, StateOf(c, named), noise), noise_given, &noise);
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (!is_curve[k]) continue;
       held[k].held = true;
@@ -93,8 +111,9 @@ void FitCurves(const std::vector<EffectRequest>& all,
     result->fit = RunFit(c,
                          SolverMethod::kSvdGaussNewton,
                          OptionsOf(result->spec.solver),
-                         result->fit.noise_seen,
-                         progress);
+                         noise,
+                         progress,
+                         StateOf(c, named));
     for (const auto& [name, value] : Named(c, result->state())) named[name] = value;
   }
   c.SetEffects(all);
@@ -110,23 +129,29 @@ std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
                                          const Recording& recording,
                                          const std::vector<EffectRequest>& effects,
                                          const std::vector<Reading>* readings,
-                                         const Progress& progress) {
+                                         const Progress& progress,
+                                         const CompleteFit* near) {
   auto result = std::make_unique<CompleteFit>(spec, recording);
   Calibration& c = result->calibration;
   if (readings != nullptr) c.readings.fitted = *readings;
-  AlignStart(&c);
-  FitFramesAlone(&c, progress);
   std::vector<EffectRequest> all = spec.parameters.effects;
   all.insert(all.end(), effects.begin(), effects.end());
   const std::vector<bool> is_curve = AreCurves(c, all);
+  const bool curves = std::find(is_curve.begin(), is_curve.end(), true) != is_curve.end();
+  if (curves && near != nullptr) {
+    c.frames = near->calibration.frames;
+    result->fit = near->fit;
+    FitCurves(all, is_curve, Named(near->calibration, near->state()), progress, result.get());
+    return result;
+  }
+  AlignStart(&c);
+  FitFramesAlone(&c, progress);
   std::vector<EffectRequest> at_zero = all;
   for (std::size_t k = 0; k < all.size(); ++k) at_zero[k].held = all[k].held || is_curve[k];
   c.SetEffects(at_zero);
   result->fit = RunFit(
       c, SolverMethod::kSvdGaussNewton, OptionsOf(result->spec.solver), InitialNoise(c), progress);
-  if (std::find(is_curve.begin(), is_curve.end(), true) != is_curve.end()) {
-    FitCurves(all, is_curve, progress, result.get());
-  }
+  if (curves) FitCurves(all, is_curve, Named(c, result->state()), progress, result.get());
   return result;
 }
 

@@ -26,12 +26,14 @@ struct CompleteFit {
 };
 
 /// Fits geometry and `effects` (besides those of the problem file) to `readings`, from the aligned
-/// start. `noise` where it is given, else found.
+/// start. `near` (may be null): a fit of the same readings with other effects, from which a fit
+/// with curves starts, since each of its rounds takes seconds on thousands of rows.
 std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
                                          const Recording& recording,
                                          const std::vector<EffectRequest>& effects,
                                          const std::vector<Reading>* readings,
-                                         const Progress& progress);
+                                         const Progress& progress,
+                                         const CompleteFit* near = nullptr);
 
 /// The effects with the values that a fit found for them.
 std::vector<EffectRequest> WithValues(std::vector<EffectRequest> effects, const CompleteFit& fit);

@@ -153,7 +153,7 @@ void Populate(const ProblemSpec& spec, HypothesisSpace* space, DiagnosisResult* 
         d->not_testable.push_back({InstanceName(request), reason});
       }
     }
-    if (effect->Describe().name == "transmission_error") continue;  // offered by the search
+    if (effect->Describe().is_curve) continue;  // offered by the search
     if (candidates.empty() && effect->Place(context, {}).effect_class != "geometry") {
       d->not_testable.push_back({effect->Describe().name, "needs " + effect->Describe().needs});
     }
@@ -188,6 +188,15 @@ struct Pass {
   HypothesisSpace space;
   SearchOutcome outcome;
 };
+
+/// What a search accepted.
+std::vector<EffectRequest> NamesOf(const Pass& pass) {
+  std::vector<EffectRequest> names;
+  for (const int k : pass.outcome.accepted) {
+    names.push_back(pass.space.all()[static_cast<std::size_t>(k)].request);
+  }
+  return names;
+}
 
 /// True if what the geometry leaves is more than the stated noise allows.
 bool ExceedsNoise(const CleanRows& clean, double false_alarm) {
@@ -284,6 +293,7 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
     // A correlated noise is not of the size that an independent one would have.
     SearchOptions unknown = options;
     unknown.sigma_known = false;
+    unknown.start = NamesOf(*pass);
     white->outcome = Search(unknown, &white->space);
     if (white->outcome.consistent && options.sigma_known &&
         ExceedsNoise(pass->clean, options.false_alarm)) {
@@ -300,10 +310,7 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   const SearchOutcome& outcome = pass->outcome;
   DescribeMisfit(*before, pass->clean, outcome, &d);
 
-  std::vector<EffectRequest> names;
-  for (const int k : outcome.accepted) {
-    names.push_back(pass->space.all()[static_cast<std::size_t>(k)].request);
-  }
+  const std::vector<EffectRequest> names = NamesOf(*pass);
   const bool rest_left =
       !names.empty() &&
       RefitAndJudge(spec, recording, GoodReadings(c, pass->clean), names, say, &d);

@@ -30,20 +30,8 @@ constexpr double kTypicalToPrior = 10;
 constexpr double kOtherPayload = 15;  // [kg]
 constexpr std::size_t kMostPoses = 8;
 
-/// True for effects that depend on the pose alone: others have no value at a pose elsewhere.
 bool DependsOnPoseOnly(const EffectRequest& request) {
-  for (const char* const name : {"joint_compliance",
-                                 "torsion_nonlinearity",
-                                 "gravity_balancer",
-                                 "link_bending",
-                                 "base_compliance",
-                                 "joint_gain",
-                                 "gear_harmonic",
-                                 "joint_coupling",
-                                 "axis_wobble"}) {
-    if (request.effect == name) return request.setting("measured_torque", 0) == 0;
-  }
-  return false;
+  return FindEffect(request.effect)->DependsOnPoseOnly(request);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "core/physics/registry.h"
 #include "problems/diagnosis/design_rows.h"
 #include "problems/diagnosis/projection.h"
+#include "problems/diagnosis/spectrum.h"
 #include "problems/fit_analysis.h"
 #include "problems/noise.h"
 #include "problems/prediction.h"
@@ -170,8 +171,8 @@ VectorXd Deviations(const CompleteFit& fit) {
   }
   // The analysis of a few hundred unknowns by SVD would take longer than the fit.
   const LinearModel model(fit.calibration, fit.state(), fit.fit.noise_seen);
-  return model.tolerance.cwiseProduct(
-      Deviations(NormalEquationsOf(model, {})).head(model.tolerance.size()));
+  const VectorXd variance = Covariance(NormalEquationsOf(model, {}).H).diagonal();
+  return model.tolerance.cwiseProduct(variance.head(model.tolerance.size()).cwiseSqrt());
 }
 
 }  // namespace
@@ -190,8 +191,38 @@ bool TestRowsSpeakAgainst(const CompleteFit& before, const CompleteFit& after) {
 }
 
 bool OneFinding(const EffectRequest& a, const EffectRequest& b) {
-  const bool lines = a.effect == "gear_harmonic" && b.effect == a.effect && b.joint == a.joint;
+  const bool lines = a.effect == kLineEffect && b.effect == a.effect && b.joint == a.joint;
   return lines || a.SameAs(b);
+}
+
+std::vector<std::size_t> Unhelpful(const std::vector<EffectRequest>& effects,
+                                   const CompleteFit& after) {
+  const LeftOutRows rows(after, MakeFolds(after.calibration));
+  const std::vector<std::vector<int>> columns = ColumnsOf(effects, after.calibration);
+  std::vector<std::vector<std::size_t>> groups = Groups(effects);
+  std::vector<std::size_t> gone;
+  std::vector<int> dropped;
+  double squares = rows.Squares(dropped);
+  while (!groups.empty()) {
+    std::size_t worst = groups.size();
+    std::vector<int> best;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      std::vector<int> tried = dropped;
+      for (const std::size_t i : groups[g]) {
+        tried.insert(tried.end(), columns[i].begin(), columns[i].end());
+      }
+      const double without = rows.Squares(tried);
+      if (without >= squares) continue;
+      squares = without;
+      worst = g;
+      best = tried;
+    }
+    if (worst == groups.size()) break;
+    dropped = best;
+    gone.insert(gone.end(), groups[worst].begin(), groups[worst].end());
+    groups.erase(groups.begin() + static_cast<long>(worst));
+  }
+  return gone;
 }
 
 std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,

@@ -19,6 +19,11 @@ bool OneFinding(const EffectRequest& a, const EffectRequest& b);
 /// may lose on few rows by chance. False without test rows.
 bool TestRowsSpeakAgainst(const CompleteFit& before, const CompleteFit& after);
 
+/// Effects (positions in `effects`, the last ones among `after`'s) without which rows left out are
+/// predicted better: the most harmful goes first, then the others are asked again without it.
+std::vector<std::size_t> Unhelpful(const std::vector<EffectRequest>& effects,
+                                   const CompleteFit& after);
+
 /// Findings of `effects`, the last ones among `after`'s; `before` is the complete geometry alone
 /// (and the problem file's own effects). Fills the diagnosis' totals as well.
 std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,

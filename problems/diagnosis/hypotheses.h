@@ -30,6 +30,9 @@ struct Hypothesis {
   bool in_maximum = true;
   /// Step instants, orders, time constants of one family differ only in settings.
   std::string family;
+
+  /// A free curve of many coefficients that a prior holds.
+  bool is_curve() const { return prior_variance > 0; }
 };
 
 /// Columns of an anonymous block before they become rows.

@@ -51,9 +51,9 @@ NormalEquations NormalEquationsOf(const LinearModel& model, const std::vector<in
           products.col(num_columns).head(num_columns)};
 }
 
-VectorXd Solve(const NormalEquations& normal, const std::vector<int>& kept) {
+VectorXd Solve(const NormalEquations& normal, const std::vector<int>& kept, double variance) {
   MatrixXd H = normal.H(kept, kept);
-  H.diagonal().array() += 1;
+  H.diagonal().array() += variance;
   VectorXd x = VectorXd::Zero(normal.b.size());
   const VectorXd b = normal.b(kept);
   const VectorXd solved = Eigen::LLT<MatrixXd>(H).solve(b);
@@ -61,11 +61,9 @@ VectorXd Solve(const NormalEquations& normal, const std::vector<int>& kept) {
   return x;
 }
 
-VectorXd Deviations(const NormalEquations& normal) {
-  MatrixXd H = normal.H;
+MatrixXd Covariance(MatrixXd H) {
   H.diagonal().array() += 1;
-  const MatrixXd inverse = Eigen::LLT<MatrixXd>(H).solve(MatrixXd::Identity(H.rows(), H.cols()));
-  return inverse.diagonal().cwiseSqrt();
+  return Eigen::LLT<MatrixXd>(H).solve(MatrixXd::Identity(H.rows(), H.cols()));
 }
 
 }  // namespace dhcal

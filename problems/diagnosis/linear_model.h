@@ -31,10 +31,13 @@ struct NormalEquations {
 NormalEquations NormalEquationsOf(const LinearModel& model, const std::vector<int>& rows);
 
 /// The x that fits best with the tolerances as priors; `kept`: its unknowns, the others are zero.
-Eigen::VectorXd Solve(const NormalEquations& normal, const std::vector<int>& kept);
+/// `variance`: of a row, where the whitening is not right yet.
+Eigen::VectorXd Solve(const NormalEquations& normal,
+                      const std::vector<int>& kept,
+                      double variance = 1);
 
-/// Standard deviations of all unknowns beside each other, in tolerances.
-Eigen::VectorXd Deviations(const NormalEquations& normal);
+/// Covariance of all unknowns from their A'A, in tolerances.
+Eigen::MatrixXd Covariance(Eigen::MatrixXd H);
 
 }  // namespace dhcal
 

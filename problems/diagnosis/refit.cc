@@ -5,6 +5,8 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -35,23 +37,26 @@ class Refit {
   Refit(const ProblemSpec& spec, const Recording& recording, const std::vector<Reading>& fitted)
       : spec_(spec), recording_(recording), fitted_(fitted) {}
 
-  std::unique_ptr<CompleteFit> With(const std::vector<EffectRequest>& names) const {
-    return FitComplete(spec_, recording_, names, &fitted_, {});
+  /// `near`: of other effects, to start from; may be null.
+  std::unique_ptr<CompleteFit> With(const std::vector<EffectRequest>& names,
+                                    const CompleteFit* near) const {
+    return FitComplete(spec_, recording_, names, &fitted_, {}, near);
   }
 
-  /// Frees the shapes that the readings ask to be freed.
+  /// Frees the shapes that the readings ask to be freed; each is asked once.
   std::unique_ptr<CompleteFit> Freed(std::unique_ptr<CompleteFit> fit,
-                                     std::vector<EffectRequest>* names) const {
+                                     std::vector<EffectRequest>* shapes) {
     const PhysicsContext context = fit->calibration.Context();
-    for (std::size_t i = 0; i < names->size(); ++i) {
-      const EffectRequest& name = (*names)[i];
-      const Effect& effect = *FindEffect(name.effect);
-      const std::optional<EffectRequest> freer = effect.WithFreeShape(context, name);
+    for (std::size_t i = 0; i < shapes->size(); ++i) {
+      const EffectRequest& shape = (*shapes)[i];
+      const std::optional<EffectRequest> freer =
+          FindEffect(shape.effect)->WithFreeShape(context, shape);
       const bool known = SourceOfNoise(fit->calibration).all_given();
       if (!freer || (known && !IsAboveNoise(*fit))) continue;
-      std::vector<EffectRequest> tried = *names;
+      if (!asked_.insert(InstanceName(shape)).second) continue;
+      std::vector<EffectRequest> tried = *shapes;
       tried[i] = *freer;
-      auto fit_freer = With(tried);
+      auto fit_freer = With(tried, fit.get());
       if (!fit_freer->usable()) continue;
       const auto n = static_cast<double>(fitted_.size()) *
                      NumCoordinates(fit->calibration.spec.measurement.kind);
@@ -59,7 +64,7 @@ class Refit {
                                             fit->calibration.parameters.size());
       const double gain = n * std::log(Squares(*fit, fitted_) / Squares(*fit_freer, fitted_));
       if (gain < more * std::log(n) + kClearGain) continue;
-      *names = tried;
+      *shapes = tried;
       fit = std::move(fit_freer);
     }
     return fit;
@@ -85,6 +90,7 @@ class Refit {
   const ProblemSpec& spec_;
   const Recording& recording_;
   const std::vector<Reading>& fitted_;
+  std::set<std::string> asked_;  // effects whose shapes were tried free
 };
 
 /// Findings of freed shapes go by the name of the effect itself.
@@ -103,6 +109,45 @@ void NameFreed(const std::vector<EffectRequest>& shapes,
   }
 }
 
+/// Positions of the finding that helps the prediction least.
+std::vector<std::size_t> LeastHelpful(const std::vector<Finding>& findings,
+                                      const std::vector<EffectRequest>& names) {
+  const auto worst = std::min_element(findings.begin(), findings.end(), [](auto& a, auto& b) {
+    return a.delta_log_predictive < b.delta_log_predictive;
+  });
+  std::vector<std::size_t> positions;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (OneFinding(worst->effect, names[i])) positions.push_back(i);
+  }
+  return positions;
+}
+
+/// Notes each finding that goes with the names at some positions.
+void NoteWithdrawal(const std::vector<std::size_t>& gone,
+                    const std::vector<EffectRequest>& names,
+                    DiagnosisResult* d) {
+  std::vector<EffectRequest> noted;
+  for (const std::size_t i : gone) {
+    const bool is_noted = std::any_of(noted.begin(), noted.end(), [&](const EffectRequest& other) {
+      return OneFinding(other, names[i]);
+    });
+    if (is_noted) continue;
+    noted.push_back(names[i]);
+    d->notes.push_back(fmt::format(
+        "{} fits the rows but does not help to predict rows left out; it was withdrawn.",
+        InstanceName(names[i])));
+  }
+}
+
+std::vector<EffectRequest> WithoutThose(const std::vector<std::size_t>& gone,
+                                        const std::vector<EffectRequest>& effects) {
+  std::vector<EffectRequest> left;
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    if (std::find(gone.begin(), gone.end(), i) == gone.end()) left.push_back(effects[i]);
+  }
+  return left;
+}
+
 }  // namespace
 
 bool RefitAndJudge(const ProblemSpec& spec,
@@ -111,45 +156,42 @@ bool RefitAndJudge(const ProblemSpec& spec,
                    std::vector<EffectRequest> names,
                    const std::function<void(const std::string&)>& say,
                    DiagnosisResult* d) {
-  const Refit refit(spec, recording, fitted);
-  const auto before = refit.With({});
+  Refit refit(spec, recording, fitted);
+  const auto before = refit.With({}, nullptr);
   if (!before->usable()) return true;
   bool withdrawn = false;
+  std::vector<EffectRequest> shapes = names;  // the names as they are fitted
   while (!names.empty()) {
     say(fmt::format("refit with {} effects", names.size()));
-    auto after = refit.With(names);
+    auto after = refit.With(shapes, before.get());
     if (!after->usable()) {
       d->notes.push_back("The fit with the named effects failed: " + after->fit.summary.message);
       return true;
     }
-    std::vector<EffectRequest> shapes = names;
-    after = refit.Freed(std::move(after), &shapes);
-    std::vector<Finding> findings = DescribeFindings(shapes, *before, *after, d);
-    NameFreed(shapes, names, &findings);
-    // The one that hurts the prediction most goes first: the others may then predict better.
-    const auto worst = std::min_element(findings.begin(), findings.end(), [](auto& a, auto& b) {
-      return a.delta_log_predictive < b.delta_log_predictive;
-    });
-    const bool hold = after->calibration.readings.test.empty()
-                          ? d->rms_test_after < d->rms_test_before
-                          : !TestRowsSpeakAgainst(*before, *after);
-    if (worst->delta_log_predictive >= 0 && hold) {
-      std::move(findings.begin(), findings.end(), std::back_inserter(d->findings));
-      d->model = WithValues(shapes, *after);
-      const std::vector<MovedParameter> moved = MovedParameters(*before, *after);
-      d->moved.insert(d->moved.end(), moved.begin(), moved.end());
-      return withdrawn || refit.IsAboveNoise(*after);
+    std::vector<std::size_t> gone = Unhelpful(shapes, *after);
+    if (gone.empty()) {
+      after = refit.Freed(std::move(after), &shapes);
+      gone = Unhelpful(shapes, *after);
+    }
+    if (gone.empty()) {
+      std::vector<Finding> findings = DescribeFindings(shapes, *before, *after, d);
+      NameFreed(shapes, names, &findings);
+      const bool hold = after->calibration.readings.test.empty()
+                            ? d->rms_test_after < d->rms_test_before
+                            : !TestRowsSpeakAgainst(*before, *after);
+      if (hold) {
+        std::move(findings.begin(), findings.end(), std::back_inserter(d->findings));
+        d->model = WithValues(shapes, *after);
+        const std::vector<MovedParameter> moved = MovedParameters(*before, *after);
+        d->moved.insert(d->moved.end(), moved.begin(), moved.end());
+        return withdrawn || refit.IsAboveNoise(*after);
+      }
+      gone = LeastHelpful(findings, names);
     }
     withdrawn = true;
-    d->notes.push_back(fmt::format(
-        "{} fits the rows but does not help to predict rows left out; it was withdrawn.",
-        InstanceName(worst->effect)));
-    const EffectRequest gone = worst->effect;
-    names.erase(
-        std::remove_if(names.begin(),
-                       names.end(),
-                       [&](const EffectRequest& effect) { return OneFinding(gone, effect); }),
-        names.end());
+    NoteWithdrawal(gone, names, d);
+    names = WithoutThose(gone, names);
+    shapes = WithoutThose(gone, shapes);
   }
   return withdrawn;
 }

@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <iostream>
 #include <map>
-#include <set>
 #include <utility>
 
+#include "core/physics/registry.h"
+#include "problems/diagnosis/moves.h"
 #include "problems/diagnosis/set_tester.h"
 
 namespace dhcal {
 namespace {
 
 constexpr int kMostAnonymous = 8;
-constexpr std::size_t kMostSwapsTried = 12;  // candidates per member
-constexpr std::size_t kMostExchanged = 4;    // members whose alternatives are all tested
+constexpr std::size_t kMostExchanged = 4;  // members whose alternatives are all tested
 constexpr double kBetterPart = 0.5;
 
 bool IsTorque(const std::string& driver) { return driver.find("torque") != std::string::npos; }
@@ -22,7 +22,7 @@ bool IsTorque(const std::string& driver) { return driver.find("torque") != std::
 class Searcher {
  public:
   Searcher(const SearchOptions& options, HypothesisSpace* space)
-      : options_(options), space_(space), tester_(options, space) {}
+      : options_(options), space_(space), tester_(options, space), moves_(options, &tester_) {}
 
   SearchOutcome Run() {
     SearchOutcome out;
@@ -109,7 +109,7 @@ class Searcher {
                          at(m).place.driver == "joint angle";
         (own ? curves : kept).push_back(m);
       }
-      if (CountEffects(curves) < 2) continue;
+      if (moves_.CountEffects(curves) < 2) continue;
       const TestedSet set = tester_.Try(With(kept, k), /*rescan=*/false);
       if (!set.kept) continue;
       *members = kept;
@@ -119,138 +119,35 @@ class Searcher {
     }
   }
 
-  /// Names that do not conflict, the highest score beside the members' price first; only those
-  /// whose own p stands the number of names tried.
-  std::vector<int> Candidates(const std::vector<int>& members) const {
-    const BlockModel model = tester_.Model(members);
-    const std::vector<BlockScore> scores = tester_.tests().Scores(model);
-    const auto count = static_cast<double>(tester_.names().size());
-    const double left = tester_.tests().gram().rss - tester_.tests().Removed(model);
-    std::vector<std::pair<double, int>> ranked;
-    for (const int k : tester_.names()) {
-      const BlockScore& score = scores[static_cast<std::size_t>(k)];
-      if (tester_.Conflicts(k, members)) continue;
-      if (score.p * count > options_.false_alarm) continue;
-      ranked.emplace_back(tester_.Gain(score.Q, left) - at(k).columns.size * std::log(options_.nu),
-                          k);
-    }
-    std::sort(ranked.begin(), ranked.end(), std::greater<>());
-    std::vector<int> candidates;
-    for (const auto& [evidence, k] : ranked) candidates.push_back(k);
-    return candidates;
-  }
-
-  static std::vector<int> With(std::vector<int> members, int k) {
-    members.push_back(k);
-    return members;
-  }
-  static std::vector<int> Without(std::vector<int> members, std::size_t position) {
-    members.erase(members.begin() + static_cast<long>(position));
-    return members;
-  }
-
-  /// Best single addition by evidence; the members unchanged when none helps. The scores say what
-  /// each would remove; only the best few are computed with all that they bring.
-  std::vector<int> BestAddition(const std::vector<int>& members) const {
-    constexpr std::size_t kMostCompared = 4;
-    std::vector<int> best = members;
-    double best_evidence = tester_.Evidence(members);
-    const std::vector<int> candidates = Candidates(members);
-    for (std::size_t i = 0; i < std::min(candidates.size(), kMostCompared); ++i) {
-      const std::vector<int> tried = With(members, candidates[i]);
-      const double evidence = tester_.Evidence(tried);
-      if (evidence <= best_evidence) continue;
-      best_evidence = evidence;
-      best = tried;
-    }
-    return best;
-  }
-
-  /// The addition `known`, or a line that a new scan finds where that has more evidence.
-  std::vector<int> OrALine(const std::vector<int>& members, const std::vector<int>& known) {
-    const double evidence = tester_.Evidence(known);
-    const std::vector<SpectralPeak> peaks = tester_.Scan(members);
-    double best = -1e300;
-    SpectralPeak highest;
-    for (const SpectralPeak& peak : peaks) {
-      if (peak.p_scan <= options_.false_alarm && peak.Q > highest.Q) highest = peak;
-    }
-    if (highest.joint >= 0) best = tester_.EvidenceWith(highest, members);
-    const bool better = best > evidence;
-    if (!better || !tester_.AddPeaks(peaks, members)) return known;
-    tester_.Rebuild();
-    return BestAddition(members);
-  }
-
-  /// Where a joint has as many lines as a curve of many orders shows, and the joint's error curve
-  /// has more evidence than all that the set says of the joint's own angle, the curve takes their
-  /// place.
-  std::vector<int> WithCurves(std::vector<int> members) {
-    constexpr int kLinesOfACurve = 3;
-    std::map<int, int> lines;
-    for (const int k : members) {
-      if (at(k).request.setting("order", 0) >= kLowestOrder) ++lines[at(k).request.joint];
-    }
-    for (const auto& [joint, count] : lines) {
-      if (count < kLinesOfACurve) continue;
-      const int curve = tester_.Curve(joint);
-      if (curve < 0 || std::find(members.begin(), members.end(), curve) != members.end()) continue;
-      std::vector<int> tried;
-      for (const int k : members) {
-        if (!tester_.Conflicts(curve, {k})) tried.push_back(k);
-      }
-      tried.push_back(curve);
-      if (tester_.Evidence(tried) > tester_.Evidence(members)) members = tried;
-    }
-    return members;
-  }
-
-  /// Drops and exchanges members as long as that raises the evidence.
-  std::vector<int> WithSwaps(std::vector<int> members) const {
-    for (int round = 0; round < 4; ++round) {
-      std::vector<int> best = members;
-      double best_evidence = tester_.Evidence(members);
-      const auto consider = [&](const std::vector<int>& tried) {
-        const double evidence = tester_.Evidence(tried);
-        if (evidence <= best_evidence) return;
-        best_evidence = evidence;
-        best = tried;
-      };
-      for (std::size_t i = 0; i < members.size(); ++i) {
-        const std::vector<int> without = Without(members, i);
-        consider(without);
-        std::vector<int> candidates = Candidates(without);
-        candidates.resize(std::min(candidates.size(), kMostSwapsTried));
-        for (const int k : candidates) consider(With(without, k));
-      }
-      if (best == members) break;
-      members = best;
-    }
-    return members;
-  }
-
-  /// Effects of a set; all lines of one joint's gear count as one.
-  int CountEffects(const std::vector<int>& members) const {
-    std::set<std::pair<std::string, int>> distinct;
-    for (const int k : members) distinct.insert({at(k).request.effect, at(k).request.joint});
-    return static_cast<int>(distinct.size());
+  void TryExtended(std::vector<int>* members, SearchOutcome* out) {
+    const std::vector<int> extended = moves_.WithTheRest(*members);
+    if (extended == *members) return;
+    *members = extended;
+    const TestedSet set = tester_.Try(extended, /*rescan=*/true);
+    out->p_accepted = set.p;
+    out->complete = set.kept;
   }
 
   void TrySets(SearchOutcome* out) {
-    std::vector<int> members;
-    while (CountEffects(members) < options_.max_effects) {
-      const std::vector<int> more = OrALine(members, BestAddition(members));
+    std::vector<int> members = moves_.Start();
+    if (!members.empty()) {
+      const TestedSet set = tester_.Try(members, /*rescan=*/true);
+      out->p_accepted = set.p;
+      out->complete = set.kept;
+    }
+    while (!out->complete && moves_.CountEffects(members) < options_.max_effects) {
+      const std::vector<int> more = moves_.OrALine(members, moves_.BestAddition(members));
       if (more.size() == members.size()) {
         // Nothing known helps; a better instant may.
         const std::size_t before = space_->all().size();
         tester_.AddRefined(members);
         if (space_->all().size() == before) break;
         tester_.Rebuild();
-        if (BestAddition(members).size() == members.size()) break;
+        if (moves_.BestAddition(members).size() == members.size()) break;
         continue;
       }
-      members = more.size() <= kMostExchanged ? tester_.Polished(WithSwaps(more)) : more;
-      members = WithCurves(members);
+      members = more.size() <= kMostExchanged ? tester_.Polished(moves_.WithSwaps(more)) : more;
+      members = moves_.WithCurves(members);
       const TestedSet set = tester_.Try(members, /*rescan=*/true);
       out->p_accepted = set.p;
       if (!set.kept) continue;
@@ -258,6 +155,7 @@ class Searcher {
       break;
     }
     if (members.size() > kMostExchanged) members = tester_.Polished(members);
+    if (!out->complete) TryExtended(&members, out);
     if (out->complete) members = Needed(members, out);
     if (out->complete) DropCurves(&members, out);
     out->accepted = members;
@@ -362,6 +260,7 @@ class Searcher {
   const SearchOptions& options_;
   HypothesisSpace* space_;
   SetTester tester_;
+  Moves moves_;
 };
 
 }  // namespace

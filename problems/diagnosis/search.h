@@ -21,6 +21,7 @@ struct SearchOptions {
   int max_effects = 12;              // all lines of one joint's gear count as one
   int draws = 2000;
   std::uint64_t seed = 1;
+  std::vector<EffectRequest> start;  // names that an earlier search of the same readings found
 };
 
 /// A set of hypotheses (indices into the space) and how well it stands.

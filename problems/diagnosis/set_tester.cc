@@ -74,7 +74,7 @@ BlockModel SetTester::Model(const std::vector<int>& members) const {
   Eigen::Index first = 0;
   for (const int k : members) {
     const Hypothesis& h = space_->all()[static_cast<std::size_t>(k)];
-    if (h.shape_block >= 0) {
+    if (h.shape_block >= 0 && !shapes_as_stated_) {
       for (const int column : tests_->Columns(h.shape_block)) {
         model.soft.push_back(column);
         sigma.push_back(std::abs(estimate[first]));
@@ -148,10 +148,7 @@ double SetTester::Gain(double removed, double rss) const {
   return -options_.nu * std::log(std::max(1 - removed / std::max(rss, 1e-300), 1e-12));
 }
 
-int SetTester::Curve(int joint) {
-  EffectRequest request;
-  request.effect = "transmission_error";
-  request.joint = joint;
+int SetTester::Known(const EffectRequest& request) {
   for (const int k : names_) {
     if (at(k).request.SameAs(request)) return k;
   }
@@ -160,10 +157,21 @@ int SetTester::Curve(int joint) {
       !FindEffect(request.effect)->NotTestable(context, request).empty()) {
     return -1;
   }
-  const auto columns = static_cast<Eigen::Index>(EffectColumns(context, request).size());
+  const int k = space_->AddEffect(request, /*in_maximum=*/false);
+  if (request.setting("order", 0) >= kLowestOrder) lines_.push_back(k);
+  return k;
+}
+
+int SetTester::Curve(int joint) {
+  EffectRequest request;
+  request.effect = CurveEffect().Describe().name;
+  request.joint = joint;
+  if (!CurveEffect().NotTestable(space_->context(), request).empty()) return -1;
+  const auto columns = static_cast<Eigen::Index>(EffectColumns(space_->context(), request).size());
   if (space_->y().size() < kRowsPerCoefficient * columns) return -1;
-  const int curve = space_->AddEffect(request, /*in_maximum=*/false);
-  Rebuild();
+  const std::size_t before = space_->all().size();
+  const int curve = Known(request);
+  if (space_->all().size() > before) Rebuild();
   return curve;
 }
 
@@ -183,17 +191,16 @@ bool SetTester::AddPeaks(const std::vector<SpectralPeak>& peaks, const std::vect
   };
   const auto is_in_curve = [&](const SpectralPeak& peak) {
     return std::any_of(members.begin(), members.end(), [&](int member) {
-      const EffectRequest& request = at(member).request;
-      return request.effect == "transmission_error" && request.joint == peak.joint + 1 &&
+      return at(member).is_curve() && at(member).request.joint == peak.joint + 1 &&
              peak.order < kHighestInCurve;
     });
   };
   bool any = false;
   for (const SpectralPeak& peak : peaks) {
-    if (peak.p_scan > options_.false_alarm || !MayBeNamed("gear_harmonic")) continue;
+    if (peak.p_scan > options_.false_alarm || !MayBeNamed(kLineEffect)) continue;
     if (is_known(peak) || is_in_curve(peak)) continue;
     EffectRequest request;
-    request.effect = "gear_harmonic";
+    request.effect = kLineEffect;
     request.joint = peak.joint + 1;
     request.settings["order"] =
         extra.cols() > kManyColumns ? peak.order : RefineOrder(*space_, request, peak.order, extra);
@@ -316,7 +323,7 @@ double SetTester::Evidence(const std::vector<int>& members) const {
 double SetTester::Price(int k, double noise) const {
   const ColumnRange& range = at(k).columns;
   const double by_count = range.size * std::log(options_.nu);
-  if (!(at(k).prior_variance > 0)) return by_count;
+  if (!at(k).is_curve()) return by_count;
   // Coefficients with a prior: only those that the rows determine cost anything (the determinant of
   // the Laplace approximation, physics.md B.2).
   auto& squares = curve_squares_[k];
@@ -336,8 +343,7 @@ bool SetTester::Conflicts(int k, const std::vector<int>& members) const {
   for (const int m : members) {
     if (m == k) return true;
     const EffectRequest& other = at(m).request;
-    const bool a_curve =
-        mine.effect == "transmission_error" || other.effect == "transmission_error";
+    const bool a_curve = at(k).is_curve() || at(m).is_curve();
     if (a_curve && mine.joint == other.joint && InCurve(mine, at(k).place.driver) &&
         InCurve(other, at(m).place.driver)) {
       return true;
@@ -347,7 +353,7 @@ bool SetTester::Conflicts(int k, const std::vector<int>& members) const {
       if (other.SameAs(mine)) return true;
       continue;
     }
-    if (mine.effect != "gear_harmonic") return true;
+    if (mine.effect != kLineEffect) return true;
     ++lines;
     const double apart = std::abs(other.setting("order", 1) - mine.setting("order", 1));
     const double resolution = OrderResolution(space_->context(), mine.joint - 1);

@@ -35,6 +35,8 @@ class SetTester {
   /// their estimated size.
   BlockModel Model(const std::vector<int>& members) const;
 
+  /// What stands for wrong masses is left out of every model from now on, or taken in again.
+  void TakeShapesAsStated(bool as_stated) { shapes_as_stated_ = as_stated; }
   /// Tests a set; a hopeless one at small cost. `rescan`: a set that passes is also held against a
   /// new scan of the orders.
   TestedSet Try(const std::vector<int>& members, bool rescan) const;
@@ -53,6 +55,9 @@ class SetTester {
   double EvidenceWith(const SpectralPeak& peak, const std::vector<int>& members) const;
   /// The error curve of a joint as a hypothesis; -1 where it cannot be tested or named.
   int Curve(int joint);
+  /// A name, added to the space where it is new (`Rebuild` takes it up); -1 where it may not be
+  /// given or cannot be tested.
+  int Known(const EffectRequest& request);
   /// Significant peaks that are new become hypotheses; true when there is one.
   bool AddPeaks(const std::vector<SpectralPeak>& peaks, const std::vector<int>& members);
   /// Families with an instant or a time constant that the rows ask for most get the best one.
@@ -82,6 +87,7 @@ class SetTester {
   std::vector<int> order_;  // blocks, highest score beside the geometry first
   std::vector<int> lines_;  // hypotheses that a scan found
   double scan_width_;
+  bool shapes_as_stated_ = false;
   mutable std::vector<int> basis_members_;
   mutable std::map<int, Eigen::VectorXd> curve_squares_;  // eigenvalues of curves' Gram matrices
   mutable Eigen::MatrixXd basis_;

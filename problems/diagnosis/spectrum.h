@@ -18,6 +18,9 @@ constexpr double kHighestOrder = 330;
 /// say, imitates any bump of a smooth function, and no gear has it.
 constexpr double kLowestOrder = 8;
 
+/// The effect that a line of the spectrum is.
+constexpr char kLineEffect[] = "gear_harmonic";
+
 struct SpectralPeak {
   int joint = -1;     // from 0
   double order = 0;   // per turn of the joint

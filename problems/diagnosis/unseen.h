@@ -35,15 +35,20 @@ class LeftOutRows {
   Eigen::VectorXd Residuals(const std::vector<int>& dropped) const;
   /// The same rows as fitted.
   Eigen::VectorXd Fitted(const std::vector<int>& dropped) const;
+  /// Squares of `Residuals` at a cost that does not depend on the rows.
+  double Squares(const std::vector<int>& dropped) const;
 
  private:
   std::vector<int> Kept(const std::vector<int>& dropped) const;
+  bool IsPredicted(std::size_t fold) const;
 
   LinearModel model_;
   std::vector<int> unknown_of_effect_;  // position of each effect column among the unknowns
   std::vector<std::vector<int>> rows_;  // of each fold
   std::vector<NormalEquations> folds_;
+  std::vector<double> fold_squares_;  // y'y of each fold
   NormalEquations all_;
+  mutable std::vector<Eigen::MatrixXd> covariances_;  // without each fold; made when asked for
 };
 
 }  // namespace dhcal

@@ -44,6 +44,7 @@ class AxisWobbleEffect final : public Effect {
             JointName(request.joint),
             "joint angle"};
   }
+  bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     return fmt::format("the axis of joint {} wobbles {:g} times per turn by {}",

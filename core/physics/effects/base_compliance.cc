@@ -76,6 +76,7 @@ class BaseComplianceEffect final : public Effect {
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"C1", "base", "overturning moment"};
   }
+  bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
 
   std::string Sentence(const EffectRequest& /*request*/,
                        const std::vector<EffectValue>& values) const override {

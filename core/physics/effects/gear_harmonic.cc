@@ -64,6 +64,7 @@ class GearHarmonicEffect final : public Effect {
     const char* const smooth = request.joint == 2 ? "C2" : "C3";
     return {order < 3 ? smooth : "C8", JointName(request.joint), "joint angle"};
   }
+  bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     const double order = request.setting("order", 1);

@@ -58,6 +58,7 @@ class GravityBalancerEffect final : public Effect {
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& request) const override {
     return {"C2", JointName(request.joint), "joint angle"};
   }
+  bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
 
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {

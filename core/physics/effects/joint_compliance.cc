@@ -107,6 +107,9 @@ class JointComplianceEffect final : public Effect {
             JointName(request.joint),
             UsesMeasuredTorque(request) ? "measured torque" : "gravity torque"};
   }
+  bool DependsOnPoseOnly(const EffectRequest& request) const override {
+    return !UsesMeasuredTorque(request);
+  }
 
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {

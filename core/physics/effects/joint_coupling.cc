@@ -61,6 +61,7 @@ class JointCouplingEffect final : public Effect {
             JointName(request.joint),
             fmt::format("angle of joint {}", Driver(request) + 1)};
   }
+  bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     return fmt::format("joint {} is turned by joint {}: {}",

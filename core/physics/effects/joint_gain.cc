@@ -40,6 +40,7 @@ class JointGainEffect final : public Effect {
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& request) const override {
     return {request.joint == 2 ? "C2" : "C3", JointName(request.joint), "joint angle"};
   }
+  bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     return fmt::format("joint {} turns by a constant factor too far: {}",

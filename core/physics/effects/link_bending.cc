@@ -99,6 +99,7 @@ class LinkBendingEffect final : public Effect {
             fmt::format("link {}", request.joint),
             "gravity torque"};
   }
+  bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
 
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {

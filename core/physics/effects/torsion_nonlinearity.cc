@@ -99,6 +99,9 @@ class TorsionNonlinearityEffect final : public Effect {
             JointName(request.joint),
             "gravity torque"};
   }
+  bool DependsOnPoseOnly(const EffectRequest& request) const override {
+    return request.setting("measured_torque", 0) == 0;
+  }
 
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {

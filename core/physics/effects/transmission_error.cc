@@ -44,7 +44,9 @@ class TransmissionErrorEffect final : public Effect {
             "at_<knot's angle in degrees> [rad]",
             {{"knot_deg", "distance of knots in degrees, default 3"}},
             "several significant lines of gear_harmonic at one joint",
-            "0.1-0.3 mrad RMS [physics.md G1-G3]"};
+            "0.1-0.3 mrad RMS [physics.md G1-G3]",
+            /*has_joint=*/true,
+            /*is_curve=*/true};
   }
 
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {

@@ -52,6 +52,30 @@ TEST_P(EffectConformance, DescribesItselfWithUnitsAndASource) {
   EXPECT_THAT(d.typical, testing::HasSubstr("physics.md"));
 }
 
+TEST_P(EffectConformance, DependsOnThePoseAloneWhereItSaysSo) {
+  Recording bare;
+  bare.q = recording_.q.colwise().reverse();
+  if (recording_.payload.size() > 0) bare.payload = recording_.payload.reverse();
+  const PhysicsContext bare_context(robot_, bare, {robot_.X_WB});
+  for (const EffectRequest& request : effect().Candidates(context_)) {
+    if (!effect().DependsOnPoseOnly(request)) continue;
+    if (!effect().NotTestable(context_, request).empty()) continue;
+    ASSERT_EQ(effect().NotTestable(bare_context, request), "") << InstanceName(request);
+    const auto columns = effect().Columns(context_, request);
+    const auto bare_columns = effect().Columns(bare_context, request);
+    ASSERT_EQ(columns.size(), bare_columns.size()) << InstanceName(request);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      ASSERT_EQ(columns[k].slots.size(), bare_columns[k].slots.size());
+      for (std::size_t i = 0; i < columns[k].slots.size(); ++i) {
+        const Eigen::VectorXd& weight = columns[k].slots[i].weight;
+        EXPECT_LT((weight - bare_columns[k].slots[i].weight.reverse()).norm(),
+                  1e-12 * (1 + weight.norm()))
+            << InstanceName(request);
+      }
+    }
+  }
+}
+
 TEST_P(EffectConformance, ReproducesItsWorkedNumber) {
   const WorkedExample example = effect().Example();
   ASSERT_EQ(effect().NotTestable(context_, example.request), "");

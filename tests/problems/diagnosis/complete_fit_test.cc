@@ -1,0 +1,67 @@
+// A fit with curves that starts near another one ends where the one from the start does.
+#include "problems/diagnosis/complete_fit.h"
+
+#include <gtest/gtest.h>
+
+#include "problems/prediction.h"
+#include "tools/support/study_scenarios.h"
+
+namespace dhcal {
+namespace {
+
+EffectRequest Request(const char* effect, int joint) {
+  EffectRequest request;
+  request.effect = effect;
+  request.joint = joint;
+  return request;
+}
+
+Draw DrawWithALineAndACompliance() {
+  Scenario scenario;
+  scenario.poses = 400;
+  scenario.truth = {Request("gear_harmonic", 3), Request("joint_compliance", 2)};
+  scenario.truth[0].settings["order"] = 17;
+  scenario.truth[0].values["sin_17"] = 3e-4;
+  scenario.truth[1].values["compliance"] = 3e-6;
+  return MakeDraw(scenario, 4);
+}
+
+double Rms(const CompleteFit& fit) {
+  return Statistics(fit.calibration, fit.state(), fit.calibration.readings.fitted).rms;
+}
+
+TEST(FitCompleteWithCurves, DoesNotDependOnWhereItStarts) {
+  const Draw draw = DrawWithALineAndACompliance();
+  const std::vector<EffectRequest> effects = {Request("transmission_error", 3),
+                                              Request("joint_compliance", 2)};
+  const auto geometry = FitComplete(draw.spec, draw.recording, {}, nullptr, {});
+  const auto cold = FitComplete(draw.spec, draw.recording, effects, nullptr, {});
+  const auto near = FitComplete(draw.spec, draw.recording, effects, nullptr, {}, geometry.get());
+  ASSERT_TRUE(cold->usable());
+  ASSERT_TRUE(near->usable());
+  const double sigma = draw.spec.measurement.sigma.value();
+  EXPECT_GT(Rms(*geometry), 3 * sigma);
+  EXPECT_LT(Rms(*cold), 1.05 * sigma);
+  EXPECT_NEAR(Rms(*near), Rms(*cold), 1e-3 * sigma);
+  const EffectEstimates a = EstimateEffects(*cold), b = EstimateEffects(*near);
+  ASSERT_EQ(a.value.size(), b.value.size());
+  for (Eigen::Index k = 0; k < a.value.size(); ++k) {
+    EXPECT_NEAR(a.value[k], b.value[k], 0.05 * std::sqrt(a.covariance(k, k))) << k;
+  }
+}
+
+TEST(FitCompleteWithCurves, FindsTheNoiseWhereItIsNotGiven) {
+  Draw draw = DrawWithALineAndACompliance();
+  const double sigma = draw.spec.measurement.sigma.value();
+  draw.spec.measurement.sigma.reset();
+  const auto fit = FitComplete(draw.spec,
+                               draw.recording,
+                               {Request("transmission_error", 3), Request("joint_compliance", 2)},
+                               nullptr,
+                               {});
+  ASSERT_TRUE(fit->usable());
+  EXPECT_NEAR(fit->fit.noise_seen.sigma, sigma, 0.1 * sigma);
+}
+
+}  // namespace
+}  // namespace dhcal
