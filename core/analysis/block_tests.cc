@@ -241,9 +241,16 @@ BlockScore BlockTests::ScoreOf(const Conditioned& c, int block) const {
 }
 
 std::vector<BlockScore> BlockTests::Scores(const BlockModel& model) const {
+  std::vector<int> all(blocks_.size());
+  std::iota(all.begin(), all.end(), 0);
+  return Scores(model, all);
+}
+
+std::vector<BlockScore> BlockTests::Scores(const BlockModel& model,
+                                           const std::vector<int>& blocks) const {
   const Conditioned c = Condition(model);
   std::vector<BlockScore> scores;
-  for (int b = 0; b < static_cast<int>(blocks_.size()); ++b) scores.push_back(ScoreOf(c, b));
+  for (const int b : blocks) scores.push_back(ScoreOf(c, b));
   return scores;
 }
 

@@ -74,6 +74,8 @@ class BlockTests {
 
   /// Score of every block beside the model.
   std::vector<BlockScore> Scores(const BlockModel& model) const;
+  /// Of some blocks, in their order.
+  std::vector<BlockScore> Scores(const BlockModel& model, const std::vector<int>& blocks) const;
   BlockScore Score(const BlockModel& model, int block) const;
 
   /// Tests the model at a level. The law of the maximum hardly depends on the model, so draws under

@@ -288,8 +288,8 @@ Eigen::VectorXd SetTester::Excused(const BlockModel& model, const std::vector<in
 
 double SetTester::LinesLeft(const BlockModel& model) const {
   double least = 1;
-  for (const int k : lines_) {
-    const BlockScore score = tests_->Score(model, k);
+  if (lines_.empty()) return least;
+  for (const BlockScore& score : tests_->Scores(model, lines_)) {
     if (score.k > 0) least = std::min(least, ScanProbability(score.p, scan_width_));
   }
   return least;
