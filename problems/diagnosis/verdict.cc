@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/QR>
+#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -150,6 +150,20 @@ void AddAlternatives(const Elsewhere& elsewhere,
   }
 }
 
+/// Pseudo-inverse of a curve's Gram matrix beside the model. What geometry and names can do as well
+/// (the hats' common part, above all) leaves next to nothing of a column of squared length
+/// `length2`: the smallest curve that fits leaves it out, else it would be large and mean nothing.
+Eigen::MatrixXd InverseOfWhatIsLeft(const Eigen::MatrixXd& gram, double length2) {
+  constexpr double kSmallest = 1e-6;  // of the largest
+  constexpr double kLeft = 1e-3;      // of a column's squares
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
+  const Eigen::VectorXd& values = eigen.eigenvalues();
+  const double largest = values.maxCoeff();
+  const double cut = std::max(kSmallest * largest, std::min(kLeft * length2, 0.5 * largest));
+  const Eigen::VectorXd inverse = (values.array() > cut).select(values.cwiseInverse(), 0.0);
+  return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
 /// The rest as a curve: the anonymous block's slot against its driver.
 Unexplained Curve(const HypothesisSpace& space,
                   const std::vector<int>& names,
@@ -180,12 +194,9 @@ Unexplained Curve(const HypothesisSpace& space,
     for (Eigen::Index k = 0; k < hats.cols(); ++k) {
       X.col(k) = space.rows().Column({{slot, hats.col(k)}});
     }
+    const double length2 = X.colwise().squaredNorm().maxCoeff();
     X = ProjectOff(basis, ProjectOff(space.U(), X));
-    // The hats' common part is the geometry's; the smallest curve that fits leaves it out.
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-    solver.setThreshold(1e-6);
-    solver.compute(X.transpose() * X);
-    const Eigen::MatrixXd inverse = solver.pseudoInverse();
+    const Eigen::MatrixXd inverse = InverseOfWhatIsLeft(X.transpose() * X, length2);
     const Eigen::VectorXd amount = inverse * (X.transpose() * y);
     const double removed = (X * amount).squaredNorm();
     if (removed <= best) continue;
