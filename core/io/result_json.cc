@@ -9,7 +9,7 @@
 namespace dhcal {
 namespace {
 
-constexpr int kSchema = 1;
+constexpr int kResultSchema = 1;
 
 Json TraceToJson(const std::vector<IterationRecord>& trace) {
   Json array = Json::array();
@@ -143,7 +143,7 @@ Json ValidationToJson(const ValidationResult& validation) {
 
 /// What was read and what the statistics stand on.
 Json HeadToJson(const Result& result) {
-  Json head = {{"schema", kSchema},
+  Json head = {{"schema", kResultSchema},
                {"problem", result.problem},
                {"program_version", result.program_version},
                {"kind", ToString(result.kind)},

@@ -9,7 +9,7 @@
 namespace dhcal {
 namespace {
 
-const char* const kNames[] = {"x", "y", "z", "rx", "ry", "rz"};
+const char* const kFrameNames[] = {"x", "y", "z", "rx", "ry", "rz"};
 
 }  // namespace
 
@@ -38,8 +38,11 @@ std::vector<EffectColumn> FrameEffect::Columns(const PhysicsContext& context,
   std::vector<EffectColumn> columns;
   for (int k = 0; k < SlotLayout::kPerFrame; ++k) {
     const int slot = frame_ == "base" ? context.slots().base(k) : context.slots().tool(k);
-    columns.push_back(SlotColumn(
-        kNames[k], k < 3 ? "m" : "rad", 1e-3, slot, Eigen::VectorXd::Ones(context.num_rows())));
+    columns.push_back(SlotColumn(kFrameNames[k],
+                                 k < 3 ? "m" : "rad",
+                                 1e-3,
+                                 slot,
+                                 Eigen::VectorXd::Ones(context.num_rows())));
   }
   return columns;
 }
@@ -57,9 +60,9 @@ std::string FrameEffect::Sentence(const EffectRequest& /*request*/,
                                   const std::vector<EffectValue>& values) const {
   std::string text = summary_ + ":";
   for (int k = 0; k < SlotLayout::kPerFrame; ++k) {
-    const EffectValue value = Find(values, kNames[k]);
+    const EffectValue value = Find(values, kFrameNames[k]);
     if (!(value.sigma > 0)) continue;
-    text += fmt::format(" {} {},", kNames[k], Quantity(value, 1e-3, k < 3 ? "mm" : "mrad"));
+    text += fmt::format(" {} {},", kFrameNames[k], Quantity(value, 1e-3, k < 3 ? "mm" : "mrad"));
   }
   text.pop_back();
   return text;

@@ -14,7 +14,7 @@
 namespace dhcal {
 namespace {
 
-constexpr std::size_t kMostRows = 10;
+constexpr std::size_t kMostCompared = 10;
 
 /// [SI] of the unit that corrections are printed in.
 double PrintedUnit(Unit unit, bool noise_free) {
@@ -65,7 +65,7 @@ std::string DifferenceTable(std::vector<ComparedParameter> comparison, bool nois
                    {"Levenberg-Marquardt", ""},
                    {"difference seen", ""},
                    {"inside null space", ""}});
-  for (std::size_t i = 0; i < comparison.size() && i < kMostRows; ++i) {
+  for (std::size_t i = 0; i < comparison.size() && i < kMostCompared; ++i) {
     const ComparedParameter& parameter = comparison[i];
     const double unit = PrintedUnit(parameter.unit, noise_free);
     table.AddRow({parameter.name,
@@ -75,7 +75,7 @@ std::string DifferenceTable(std::vector<ComparedParameter> comparison, bool nois
                   Scientific(parameter.difference / unit, 1),
                   Scientific(parameter.in_null_space / unit, 1)});
   }
-  if (comparison.size() > kMostRows) table.AddLine(AndMore(comparison.size() - kMostRows));
+  if (comparison.size() > kMostCompared) table.AddLine(AndMore(comparison.size() - kMostCompared));
   return table.ToString();
 }
 

@@ -14,7 +14,7 @@
 namespace dhcal {
 namespace {
 
-constexpr std::size_t kMostRows = 100;
+constexpr std::size_t kMostTableRows = 100;
 constexpr std::size_t kMostFixedNames = 40;
 constexpr int kNameWidth = 40;
 constexpr int kNumberWidth = 9;
@@ -76,10 +76,10 @@ std::string UnitTable(const FitResult& fit, Unit unit, bool noise_free) {
   std::size_t count = 0;
   for (const ParameterResult& parameter : fit.parameters) {
     if (parameter.unit != unit || parameter.verdict == Verdict::kFixed) continue;
-    if (++count <= kMostRows) AddParameter(parameter, units, &table);
+    if (++count <= kMostTableRows) AddParameter(parameter, units, &table);
   }
   if (count == 0) return "";
-  if (count > kMostRows) table.AddLine(AndMore(count - kMostRows));
+  if (count > kMostTableRows) table.AddLine(AndMore(count - kMostTableRows));
   return fmt::format("\n  {}\n{}", units.title, table.ToString());
 }
 

@@ -14,7 +14,7 @@
 namespace dhcal {
 namespace {
 
-constexpr std::size_t kMostRows = 5;
+constexpr std::size_t kMostResiduals = 5;
 constexpr std::size_t kMostNotes = 20;
 
 /// Largest standardised coordinate; zero when there is none.
@@ -40,7 +40,7 @@ std::vector<const RowResidual*> WorstRows(const std::vector<RowResidual>& rows) 
   std::vector<const RowResidual*> worst;
   worst.reserve(rows.size());
   for (const RowResidual& row : rows) worst.push_back(&row);
-  const auto end = worst.begin() + static_cast<long>(std::min(worst.size(), kMostRows));
+  const auto end = worst.begin() + static_cast<long>(std::min(worst.size(), kMostResiduals));
   std::partial_sort(worst.begin(), end, worst.end(), [](const auto* a, const auto* b) {
     const double sigmas_a = Sigmas(*a);
     const double sigmas_b = Sigmas(*b);

@@ -24,7 +24,7 @@ Cause At(Cause cause, const std::string& location, const std::string& slot) {
   return cause;
 }
 
-std::size_t Index(int joint) { return static_cast<std::size_t>(joint) - 1; }
+std::size_t DriveIndex(int joint) { return static_cast<std::size_t>(joint) - 1; }
 
 /// A column that warms link 1 and then link 2: the order in which the heat goes.
 void AddBody(Physics* physics, const ThermalBody& body) {
@@ -38,7 +38,7 @@ Cause Yields(int joint, double compliance) {
   Cause cause = Named("joint_compliance", joint, joint == 2 ? "C1" : "elastic");
   cause.values = {{"compliance", compliance}};
   cause.apply = [=](Physics* physics, double scale) {
-    physics->drives[Index(joint)].compliance += scale * compliance;
+    physics->drives[DriveIndex(joint)].compliance += scale * compliance;
   };
   return cause;
 }
@@ -53,7 +53,7 @@ Cause YieldsSoftly(int joint, double compliance, double soft_torque) {
                   joint,
                   soft_torque);
   cause.apply = [=](Physics* physics, double scale) {
-    Drive& drive = physics->drives[Index(joint)];
+    Drive& drive = physics->drives[DriveIndex(joint)];
     drive.compliance += scale * compliance;
     drive.soft_torque = soft_torque;
     drive.soft_ratio = kRatio;
@@ -103,7 +103,7 @@ Cause Plays(int joint, double gap) {
   // The link stays behind the motor: negative by the library's sign.
   cause.values = {{"width", -gap}};
   cause.apply = [=](Physics* physics, double scale) {
-    physics->drives[Index(joint)].play += scale * gap;
+    physics->drives[DriveIndex(joint)].play += scale * gap;
   };
   return cause;
 }
@@ -114,8 +114,8 @@ Cause PlaysUnderLoad(int joint, double gap, double preload) {
   // Near zero torque the approach decides: the change of flank is gradual, like a short soft zone.
   cause.also = {"torsion_nonlinearity"};
   cause.apply = [=](Physics* physics, double scale) {
-    physics->drives[Index(joint)].play += scale * gap;
-    physics->drives[Index(joint)].preload = preload;
+    physics->drives[DriveIndex(joint)].play += scale * gap;
+    physics->drives[DriveIndex(joint)].preload = preload;
   };
   return cause;
 }
@@ -124,7 +124,7 @@ Cause WindsUp(int joint, double windup) {
   Cause cause = Named("backlash", joint, "C4");
   cause.values = {{"width", -2 * windup}};
   cause.apply = [=](Physics* physics, double scale) {
-    physics->drives[Index(joint)].windup += scale * windup;
+    physics->drives[DriveIndex(joint)].windup += scale * windup;
   };
   return cause;
 }
@@ -207,7 +207,7 @@ Cause ToothDamaged(int joint, double at, double width, double depth) {
   Cause cause = Named("", joint, "");
   cause.parameters = 3;
   cause.apply = [=](Physics* physics, double scale) {
-    physics->drives[Index(joint)].form = [=](double q) {
+    physics->drives[DriveIndex(joint)].form = [=](double q) {
       return std::abs(q - at) < width / 2
                  ? scale * depth * 0.5 * (1 + std::cos(2 * 3.14159265358979 * (q - at) / width))
                  : 0.0;
@@ -220,7 +220,9 @@ Cause Kinked(int joint, double at, double slope) {
   Cause cause = Named("", joint, "");
   cause.parameters = 2;
   cause.apply = [=](Physics* physics, double scale) {
-    physics->drives[Index(joint)].form = [=](double q) { return scale * slope * std::abs(q - at); };
+    physics->drives[DriveIndex(joint)].form = [=](double q) {
+      return scale * slope * std::abs(q - at);
+    };
   };
   return cause;
 }

@@ -10,7 +10,6 @@
 namespace dhcal::concealed {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;

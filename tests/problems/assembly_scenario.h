@@ -36,7 +36,7 @@ struct ScenarioOptions {
 };
 
 /// Owns all that a Calibration refers to.
-struct Scenario {
+struct AssemblyScenario {
   ProblemSpec spec;
   Recording recording;
   std::unique_ptr<Calibration> calibration;
@@ -124,14 +124,15 @@ inline Recording MakeRows(const ScenarioOptions& options, Rng* rng) {
 }
 
 /// Fills the readings with those of the independent kinematics at `state`.
-inline void TakeReadings(const Eigen::VectorXd& state, Scenario* scenario) {
+inline void TakeReadings(const Eigen::VectorXd& state, AssemblyScenario* scenario) {
   Recording& recording = scenario->recording;
   for (int row = 0; row < recording.num_rows(); ++row) {
     const Eigen::Matrix4d X = scenario->IndependentPose(state, row);
     recording.p_WQ.row(row) = X.topRightCorner<3, 1>().transpose();
     const Eigen::Quaterniond q(Eigen::Matrix3d(X.topLeftCorner<3, 3>()));
     recording.quaternion.row(row) << q.w(), q.x(), q.y(), q.z();
-    const std::string name = Scenario::NameOf(recording.anchor_names, recording.anchor_idx, row);
+    const std::string name =
+        AssemblyScenario::NameOf(recording.anchor_names, recording.anchor_idx, row);
     for (const Anchor& anchor : scenario->spec.measurement.anchors) {
       if (anchor.name != name) continue;
       recording.distance[row] = (recording.p_WQ.row(row).transpose() - anchor.p_WA).norm();
@@ -146,9 +147,9 @@ inline void TakeReadings(const Eigen::VectorXd& state, Scenario* scenario) {
   if (recording.displacement.rows() > 0) recording.p_WQ.resize(0, 3);
 }
 
-inline std::unique_ptr<Scenario> MakeScenario(const ScenarioOptions& options) {
+inline std::unique_ptr<AssemblyScenario> MakeScenario(const ScenarioOptions& options) {
   Rng rng(42);
-  auto scenario = std::make_unique<Scenario>();
+  auto scenario = std::make_unique<AssemblyScenario>();
   scenario->spec = MakeSpec(options);
   scenario->recording = MakeRows(options, &rng);
   scenario->calibration = std::make_unique<Calibration>(scenario->spec, scenario->recording);

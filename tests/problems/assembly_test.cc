@@ -113,7 +113,7 @@ class BuildProblemLaws : public testing::TestWithParam<ScenarioOptions> {
     return options;
   }
 
-  std::unique_ptr<Scenario> scenario_;
+  std::unique_ptr<AssemblyScenario> scenario_;
   std::unique_ptr<EstimationProblem> problem_;
 };
 

@@ -20,7 +20,7 @@ struct Kind {
   bool base_is_near;  // no alignment for distances: the base must be known roughly
 };
 
-constexpr double kSigma = 20e-6;  // [m]
+constexpr double kNoise = 20e-6;  // [m]
 
 class Recovery : public ::testing::TestWithParam<Kind> {
  protected:
@@ -38,7 +38,7 @@ class Recovery : public ::testing::TestWithParam<Kind> {
   static RecordingPlan Plan(std::uint64_t seed) {
     RecordingPlan plan;
     plan.poses = GetParam().poses;
-    plan.sigma = kSigma;
+    plan.sigma = kNoise;
     plan.seed = seed;
     return plan;
   }
@@ -52,9 +52,9 @@ TEST_P(Recovery, PredictsNewPosesOfEveryRobotWithinTheNoise) {
     const Result result = IdentifyGeometry(spec, recording, Progress());
     ASSERT_NE(result.best(), nullptr) << nominal.name;
     EXPECT_TRUE(result.best()->converged) << nominal.name << ": " << result.best()->message;
-    EXPECT_NEAR(result.noise_sigma / kSigma, 1.0, 0.15) << nominal.name;
+    EXPECT_NEAR(result.noise_sigma / kNoise, 1.0, 0.15) << nominal.name;
     // 27 or so directions from hundreds of readings: the prediction is sharper than one reading.
-    EXPECT_LT(PredictionError(truth, spec, result.calibrated, 99), std::sqrt(3.0) * kSigma)
+    EXPECT_LT(PredictionError(truth, spec, result.calibrated, 99), std::sqrt(3.0) * kNoise)
         << nominal.name;
   }
 }

@@ -12,7 +12,7 @@
 namespace dhcal {
 namespace {
 
-Eigen::Vector3d Noise(double sigma, Rng* rng) {
+Eigen::Vector3d NormalVector(double sigma, Rng* rng) {
   const double x = rng->Normal(), y = rng->Normal(), z = rng->Normal();
   return sigma * Eigen::Vector3d(x, y, z);
 }
@@ -61,7 +61,7 @@ TrueRobot MakeTrueRobot(const RobotModel& nominal, std::uint64_t seed) {
   }
   for (int k = 0; k < 3; ++k) robot.delta[slots.tool(k)] = 5e-3 * rng.Normal();
   for (int k = 3; k < 6; ++k) robot.delta[slots.tool(k)] = 0.2 * rng.Normal();
-  robot.X_VW = MakeFrame(Noise(2.0, &rng), Noise(1.5, &rng));
+  robot.X_VW = MakeFrame(NormalVector(2.0, &rng), NormalVector(1.5, &rng));
   return robot;
 }
 
@@ -112,13 +112,14 @@ Recording Record(const TrueRobot& robot, const ProblemSpec& spec, const Recordin
       recording.distance[k] = WhatIsRead(spec, X, X)[anchor] + plan.sigma * rng.Normal();
     } else if (displacements) {
       if (k > 0) {
-        recording.displacement.row(k) = WhatIsRead(spec, before, X) + Noise(plan.sigma, &rng);
+        recording.displacement.row(k) =
+            WhatIsRead(spec, before, X) + NormalVector(plan.sigma, &rng);
       }
     } else {
-      recording.p_WQ.row(k) = PointOf(X) + Noise(plan.sigma, &rng);
+      recording.p_WQ.row(k) = PointOf(X) + NormalVector(plan.sigma, &rng);
     }
     if (kind == MeasurementKind::kPose) {
-      const Eigen::Vector3d turn = Noise(plan.sigma_rotation, &rng);
+      const Eigen::Vector3d turn = NormalVector(plan.sigma_rotation, &rng);
       const Eigen::Matrix3d R = ExpSO3<double>(turn) * X.topLeftCorner<3, 3>();
       const Eigen::Quaterniond rotation(R);
       recording.quaternion.row(k) << rotation.w(), rotation.x(), rotation.y(), rotation.z();

@@ -5,6 +5,14 @@
 
 include(GoogleTest)
 
+# Eight files of the tests are one to the compiler: most of its time goes into headers and templates
+# that they share. The product's own files stay single in the release build, so that each must
+# include what it uses and is compiled as users do. Two files of one batch must not define the same
+# name, even in anonymous namespaces.
+if(DHCAL_UNITY_TESTS)
+  set(CMAKE_UNITY_BUILD ON)
+endif()
+
 dhcal_library(dhcal_test_support FOLDER tests/support DEPENDS dhcal_tools_support GTest::gmock
               GTest::gtest)
 target_compile_definitions(
@@ -36,7 +44,9 @@ function(dhcal_tests layer)
   dhcal_discover(${target} ${layer} "*Slow*" TIMEOUT 3600 LABELS slow)
 endfunction()
 
-foreach(layer IN ITEMS core residuals problems tools)
+# The layers with the longest tests first: CTest starts tests in this order until it knows how long
+# each takes, and a long one that starts last leaves all but one processor idle.
+foreach(layer IN ITEMS tools problems residuals core)
   dhcal_tests(${layer})
 endforeach()
 

@@ -17,7 +17,7 @@
 namespace dhcal {
 namespace {
 
-constexpr double kTypical = 3e-7;  // [rad/(N m)]
+constexpr double kTypicalCompliance = 3e-7;  // [rad/(N m)]
 
 class BaseComplianceEffect final : public Effect {
  public:
@@ -110,7 +110,7 @@ class BaseComplianceEffect final : public Effect {
                              bool about_y,
                              const std::string& name,
                              const std::string& unit) {
-    return TwistColumn(c, name, unit, kTypical * mass_case.typical, [&](int row) {
+    return TwistColumn(c, name, unit, kTypicalCompliance * mass_case.typical, [&](int row) {
       const Load load = GravityLoad(c, mass_case, row, 0, Eigen::Vector3d::Zero());
       Twist twist;
       if (about_x) twist.rotation.x() = load.moment.x();

@@ -18,8 +18,8 @@
 namespace dhcal {
 namespace {
 
-constexpr double kTypical = 1e-6;      // [1/(N m^2)]
-constexpr double kShortestBeam = 0.2;  // [m] what is shorter does not bend
+constexpr double kTypicalBending = 1e-6;  // [1/(N m^2)]
+constexpr double kShortestBeam = 0.2;     // [m] what is shorter does not bend
 
 Twist Bend(const PhysicsContext& c, const MassCase& mass_case, int row, int link) {
   const Eigen::Vector3d start = c.X_BL(row, link - 1).translation();
@@ -137,7 +137,7 @@ class LinkBendingEffect final : public Effect {
                              int link,
                              const std::string& name,
                              const std::string& unit) {
-    return TwistColumn(c, name, unit, kTypical * mass_case.typical, [&](int row) {
+    return TwistColumn(c, name, unit, kTypicalBending * mass_case.typical, [&](int row) {
       return Bend(c, mass_case, row, link);
     });
   }

@@ -22,7 +22,7 @@ namespace dhcal {
 namespace {
 
 constexpr double kSpread = 3e-4;         // [rad] of a coefficient
-constexpr double kTypical = 3e-5;        // [rad]
+constexpr double kTypicalError = 3e-5;   // [rad]
 constexpr double kDefaultKnot_deg = 3;   // finer than a mesh of 40 per turn
 constexpr double kFewestSquares = 0.01;  // of a column's weights: a row at the edge of a spline
 
@@ -80,7 +80,7 @@ class TransmissionErrorEffect final : public Effect {
       const double angle = std::remainder(static_cast<double>(k) * distance, 2 * kPi);
       columns.push_back(SlotColumn(fmt::format("at_{:g}", std::round(angle / kDegree * 100) / 100),
                                    "rad",
-                                   kTypical,
+                                   kTypicalError,
                                    c.joint_slot(joint),
                                    weights.col(k)));
       columns.back().prior_sigma = kSpread;

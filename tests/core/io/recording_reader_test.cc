@@ -25,7 +25,7 @@ std::vector<JointRow> Joints(const std::string& letters) {
   return joints;
 }
 
-Recording ReadPath(const std::string& path, const std::string& joints, std::string* messages) {
+Recording ReadRowsOf(const std::string& path, const std::string& joints, std::string* messages) {
   Diagnostics diagnostics;
   const std::optional<Recording> recording = ReadRecording(path, Joints(joints), &diagnostics);
   *messages = diagnostics.ToString();
@@ -34,16 +34,16 @@ Recording ReadPath(const std::string& path, const std::string& joints, std::stri
 }
 
 /// Reads a text that must give no message at all.
-Recording ReadText(const std::string& text, const std::string& joints = "RR") {
+Recording ReadRows(const std::string& text, const std::string& joints = "RR") {
   std::string messages;
-  const Recording recording = ReadPath(TempFile(text, ".csv").path(), joints, &messages);
+  const Recording recording = ReadRowsOf(TempFile(text, ".csv").path(), joints, &messages);
   EXPECT_EQ(messages, "");
   return recording;
 }
 
 Recording ReadAllColumns() {
   std::string messages;
-  return ReadPath(DHCAL_SOURCE_DIR "/tests/data/good/all_columns.csv", "RP", &messages);
+  return ReadRowsOf(DHCAL_SOURCE_DIR "/tests/data/good/all_columns.csv", "RP", &messages);
 }
 
 TEST(RecordingReader, ReadsCoordinatesInSi) {
@@ -99,7 +99,7 @@ TEST(RecordingReader, LabelsBecomeIndices) {
 TEST(RecordingReader, OtherNumbersAreKeptAndTextsNamedInOneWarning) {
   std::string messages;
   const Recording recording =
-      ReadPath(DHCAL_SOURCE_DIR "/tests/data/good/all_columns.csv", "RP", &messages);
+      ReadRowsOf(DHCAL_SOURCE_DIR "/tests/data/good/all_columns.csv", "RP", &messages);
   ASSERT_EQ(recording.extra.size(), 4u);
   EXPECT_EQ(recording.extra[0].name, "humidity");
   EXPECT_EQ(recording.extra[0].values[0], 0.4);
@@ -113,12 +113,12 @@ TEST(RecordingReader, OtherNumbersAreKeptAndTextsNamedInOneWarning) {
 
 TEST(RecordingReader, UnknownColumnNamesTheNearestKnownOne) {
   std::string messages;
-  ReadPath(TempFile("q1_deg,q2_deg,paylod_kg\n1,2,3\n").path(), "RR", &messages);
+  ReadRowsOf(TempFile("q1_deg,q2_deg,paylod_kg\n1,2,3\n").path(), "RR", &messages);
   EXPECT_THAT(messages, HasSubstr("'paylod_kg' (did you mean 'payload_kg'?)"));
 }
 
 TEST(RecordingReader, AbsentColumnsAreEmpty) {
-  const Recording recording = ReadText("q1_deg,q2_rad\n180,2\n");
+  const Recording recording = ReadRows("q1_deg,q2_rad\n180,2\n");
   EXPECT_DOUBLE_EQ(recording.q(0, 0), kPi);
   EXPECT_EQ(recording.q(0, 1), 2);
   EXPECT_EQ(recording.p_WQ.rows(), 0);
@@ -130,20 +130,20 @@ TEST(RecordingReader, AbsentColumnsAreEmpty) {
 }
 
 TEST(RecordingReader, SeriesPerJointMayHaveGaps) {
-  const Recording recording = ReadText("q1_deg,q2_deg,torque2_Nm\n1,2,3\n");
+  const Recording recording = ReadRows("q1_deg,q2_deg,torque2_Nm\n1,2,3\n");
   ASSERT_EQ(recording.torque.cols(), 2);
   EXPECT_TRUE(std::isnan(recording.torque(0, 0)));
   EXPECT_EQ(recording.torque(0, 1), 3);
 }
 
 TEST(RecordingReader, OneTemperatureIsOneColumn) {
-  const Recording recording = ReadText("q1_deg,q2_deg,temperature_C\n1,2,23\n");
+  const Recording recording = ReadRows("q1_deg,q2_deg,temperature_C\n1,2,23\n");
   ASSERT_EQ(recording.temperature.cols(), 1);
   EXPECT_EQ(recording.temperature(0, 0), 23);
 }
 
 TEST(RecordingReader, ColumnOrderIsFree) {
-  const Recording recording = ReadText("z_m,q2_rad,x_m,q1_rad,y_m\n3,5,1,4,2\n");
+  const Recording recording = ReadRows("z_m,q2_rad,x_m,q1_rad,y_m\n3,5,1,4,2\n");
   EXPECT_EQ(recording.q.row(0), Eigen::RowVector2d(4, 5));
   EXPECT_EQ(recording.p_WQ.row(0), Eigen::RowVector3d(1, 2, 3));
 }
@@ -154,7 +154,7 @@ TEST(RecordingReader, ByteOrderMarkLineEndsAndBlankLinesChangeNothing) {
     for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|')) {
       text.replace(at, 1, end);
     }
-    const Recording recording = ReadText(text);
+    const Recording recording = ReadRows(text);
     EXPECT_EQ(recording.q, (Eigen::Matrix2d() << 1, 2, 3, 4).finished());
     EXPECT_THAT(recording.run_names, ElementsAre("a b", "c"));
     EXPECT_THAT(recording.lines, ElementsAre(2, 5));
@@ -162,12 +162,12 @@ TEST(RecordingReader, ByteOrderMarkLineEndsAndBlankLinesChangeNothing) {
 }
 
 TEST(RecordingReader, LastLineNeedsNoEnd) {
-  EXPECT_EQ(ReadText("q1_rad,q2_rad\n1,2").num_rows(), 1);
+  EXPECT_EQ(ReadRows("q1_rad,q2_rad\n1,2").num_rows(), 1);
 }
 
 TEST(RecordingReader, QuotedCellsKeepCommasAndQuotes) {
   const Recording recording =
-      ReadText("\"q1_rad\",q2_rad,run\n\"1\",2,\" a, \"\"b\"\" \"\n1,2,\"\"\"\"\n");
+      ReadRows("\"q1_rad\",q2_rad,run\n\"1\",2,\" a, \"\"b\"\" \"\n1,2,\"\"\"\"\n");
   EXPECT_THAT(recording.run_names, ElementsAre(" a, \"b\" ", "\""));
 }
 
@@ -203,7 +203,7 @@ TEST(RecordingReader, ReadsTwelveThousandRowsAtOnce) {
   const TempFile file(text);
   const auto start = std::chrono::steady_clock::now();
   std::string messages;
-  const Recording recording = ReadPath(file.path(), "RRRRRR", &messages);
+  const Recording recording = ReadRowsOf(file.path(), "RRRRRR", &messages);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   EXPECT_EQ(recording.num_rows(), 12000);
   EXPECT_DOUBLE_EQ(recording.p_WQ(11999, 0), 1.011999);

@@ -14,7 +14,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kRounding = 1e-15;
+constexpr double kPoseRounding = 1e-15;
 
 VectorXd NoDeltas(const RobotModel& robot) { return VectorXd::Zero(5 * robot.num_joints() + 12); }
 
@@ -37,10 +37,10 @@ TEST(Kr15Home, IsWhereItsLinksLead) {
   // Up 0.675, out 0.3; the upper arm, 0.65, and the elbow's 0.155 upwards; then 0.6 + 0.14 + 0.2
   // of forearm, wrist and tool straight out. z6 points out, x6 up.
   const PoseWithDerivatives pose = Kr15Home();
-  EXPECT_THAT(pose.p_WQ, MatrixNear(Vector3d(0.3 + 0.94, 0, 0.675 + 0.65 + 0.155), kRounding));
+  EXPECT_THAT(pose.p_WQ, MatrixNear(Vector3d(0.3 + 0.94, 0, 0.675 + 0.65 + 0.155), kPoseRounding));
   Matrix3d R;
   R << 0, 0, 1, 0, -1, 0, 1, 0, 0;
-  EXPECT_THAT(pose.R_WQ, MatrixNear(R, kRounding));
+  EXPECT_THAT(pose.R_WQ, MatrixNear(R, kPoseRounding));
 }
 
 TEST(Kr15Home, MovesAsALeverDoes) {
@@ -48,26 +48,26 @@ TEST(Kr15Home, MovesAsALeverDoes) {
   const SlotLayout slots(6);
   const auto theta = [&](int joint_idx) { return slots.joint(joint_idx, JointSlot::kTheta); };
   // Axis 1 is up, the point 1.24 out. Axis 2 is -y through (0.3, 0, 0.675).
-  EXPECT_THAT(pose.J_p.col(theta(0)), MatrixNear(Vector3d(0, 1.24, 0), kRounding));
-  EXPECT_THAT(pose.J_p.col(theta(1)), MatrixNear(Vector3d(-0.805, 0, 0.94), kRounding));
-  EXPECT_THAT(pose.J_w.col(theta(1)), MatrixNear(Vector3d(0, -1, 0), kRounding));
+  EXPECT_THAT(pose.J_p.col(theta(0)), MatrixNear(Vector3d(0, 1.24, 0), kPoseRounding));
+  EXPECT_THAT(pose.J_p.col(theta(1)), MatrixNear(Vector3d(-0.805, 0, 0.94), kPoseRounding));
+  EXPECT_THAT(pose.J_w.col(theta(1)), MatrixNear(Vector3d(0, -1, 0), kPoseRounding));
   // Axes 4 and 6 pass through the point: they turn it and do not move it.
   for (const int joint : {3, 5}) {
-    EXPECT_THAT(pose.J_p.col(theta(joint)), MatrixNear(Vector3d(0, 0, 0), kRounding));
-    EXPECT_THAT(pose.J_w.col(theta(joint)), MatrixNear(Vector3d(1, 0, 0), kRounding));
+    EXPECT_THAT(pose.J_p.col(theta(joint)), MatrixNear(Vector3d(0, 0, 0), kPoseRounding));
+    EXPECT_THAT(pose.J_w.col(theta(joint)), MatrixNear(Vector3d(1, 0, 0), kPoseRounding));
   }
   // d2 and d3 shift along parallel axes: what the data cannot tell apart in the paper.
   EXPECT_THAT(pose.J_p.col(slots.joint(1, JointSlot::kD)),
-              MatrixNear(pose.J_p.col(slots.joint(2, JointSlot::kD)), kRounding));
+              MatrixNear(pose.J_p.col(slots.joint(2, JointSlot::kD)), kPoseRounding));
 }
 
 TEST(Ur10Zero, IsTheMakersZeroPosition) {
   // Arm stretched along -x: x = a2 + a3, y = -(d4 + d6), z = d1 - d5.
   const PoseWithDerivatives pose = At(Ur10(), VectorXd::Zero(6), EndFrames());
-  EXPECT_THAT(pose.p_WQ, MatrixNear(Vector3d(-1.1843, -0.256141, 0.0116), kRounding));
+  EXPECT_THAT(pose.p_WQ, MatrixNear(Vector3d(-1.1843, -0.256141, 0.0116), kPoseRounding));
   Matrix3d R;
   R << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-  EXPECT_THAT(pose.R_WQ, MatrixNear(R, kRounding));
+  EXPECT_THAT(pose.R_WQ, MatrixNear(R, kPoseRounding));
 }
 
 TEST(PandaZero, IsTheMakersZeroPosition) {
@@ -75,8 +75,9 @@ TEST(PandaZero, IsTheMakersZeroPosition) {
   EndFrames flange;
   flange.X_TQ.translation() = Vector3d(0, 0, 0.107);
   const PoseWithDerivatives pose = At(Panda(), VectorXd::Zero(7), flange);
-  EXPECT_THAT(pose.p_WQ, MatrixNear(Vector3d(0.088, 0, 0.926), kRounding));
-  EXPECT_THAT(pose.R_WQ, MatrixNear(Vector3d(1, -1, -1).asDiagonal().toDenseMatrix(), kRounding));
+  EXPECT_THAT(pose.p_WQ, MatrixNear(Vector3d(0.088, 0, 0.926), kPoseRounding));
+  EXPECT_THAT(pose.R_WQ,
+              MatrixNear(Vector3d(1, -1, -1).asDiagonal().toDenseMatrix(), kPoseRounding));
 }
 
 TEST(ScaraWithSigns, CountsJointsAgainstDenavitHartenbergsSense) {
@@ -85,7 +86,7 @@ TEST(ScaraWithSigns, CountsJointsAgainstDenavitHartenbergsSense) {
   // Joint 2 at +90 deg turns by -90 deg, to -y; the slide at 0.1 retracts by 0.1 along z3 = -z.
   const PoseWithDerivatives pose = At(robot, Eigen::Vector4d(0, kPi / 2, 0.1, 0), EndFrames());
   EXPECT_THAT(pose.p_WQ,
-              MatrixNear(Vector3d(0.325, -0.275, 0.387 - (0.05 - 0.1 + 0.08)), kRounding));
+              MatrixNear(Vector3d(0.325, -0.275, 0.387 - (0.05 - 0.1 + 0.08)), kPoseRounding));
 }
 
 TEST(ModifiedRows, DescribeTheSameRobotAsStandardOnes) {
@@ -105,9 +106,9 @@ TEST(PerturbFrame, ShiftsAndTurnsInTheParentFrame) {
   Eigen::Matrix<double, 6, 1> delta;
   delta << 0.1, 0.2, 0.3, kPi / 2, 0, 0;
   const Eigen::Isometry3d moved = PerturbFrame<double>(X, delta);
-  EXPECT_THAT(moved.translation(), MatrixNear(Vector3d(1.1, 2.2, 3.3), kRounding));
+  EXPECT_THAT(moved.translation(), MatrixNear(Vector3d(1.1, 2.2, 3.3), kPoseRounding));
   // The frame's x pointed along the parent's y; a quarter turn about the parent's x lifts it to z.
-  EXPECT_THAT(moved.linear().col(0), MatrixNear(Vector3d::UnitZ(), kRounding));
+  EXPECT_THAT(moved.linear().col(0), MatrixNear(Vector3d::UnitZ(), kPoseRounding));
 }
 
 TEST(IndependentKinematics, ItsModifiedRowIsCraigsInOnePiece) {
@@ -118,7 +119,7 @@ TEST(IndependentKinematics, ItsModifiedRowIsCraigsInOnePiece) {
   }();
   const VectorXd none = VectorXd::Zero(5);
   EXPECT_THAT(independent::Row<double>(DhConvention::kModified, row, 0.4, none, 0),
-              MatrixNear(independent::ModifiedRow<double>(0.7, 0.2, -0.1, 0.7), kRounding));
+              MatrixNear(independent::ModifiedRow<double>(0.7, 0.2, -0.1, 0.7), kPoseRounding));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kRounding = 4e-15;  // a few roundings of numbers of size one
+constexpr double kRpyRounding = 4e-15;  // a few roundings of numbers of size one
 
 TEST(RotationFromRpy, TurnsAboutFixedXThenYThenZ) {
   // x -> x (roll) -> -z (pitch) -> -z (yaw); y -> z -> x -> y; z -> -y -> -y -> x.
@@ -25,7 +25,7 @@ TEST(RotationFromRpy, IsTheProductOfThreeRotationVectors) {
   const Matrix3d product = ExpSO3<double>(Vector3d(0, 0, rpy.z())) *
                            ExpSO3<double>(Vector3d(0, rpy.y(), 0)) *
                            ExpSO3<double>(Vector3d(rpy.x(), 0, 0));
-  EXPECT_THAT(RotationFromRpy(rpy), MatrixNear(product, kRounding));
+  EXPECT_THAT(RotationFromRpy(rpy), MatrixNear(product, kRpyRounding));
 }
 
 TEST(RpyFromRotation, UndoesRotationFromRpy) {
@@ -42,8 +42,8 @@ TEST(RpyFromRotation, ChoosesRollZeroWherePitchIsRight) {
     const Matrix3d R = RotationFromRpy(Vector3d(0.4, pitch, 1.3));
     const Vector3d rpy = RpyFromRotation(R);
     EXPECT_EQ(rpy.x(), 0.0);
-    EXPECT_NEAR(rpy.y(), pitch, kRounding);
-    EXPECT_THAT(RotationFromRpy(rpy), MatrixNear(R, kRounding));
+    EXPECT_NEAR(rpy.y(), pitch, kRpyRounding);
+    EXPECT_THAT(RotationFromRpy(rpy), MatrixNear(R, kRpyRounding));
   }
 }
 

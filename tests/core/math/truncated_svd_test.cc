@@ -15,7 +15,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kRounding = 1e-14;  // a few roundings of numbers of size one
+constexpr double kSvdRounding = 1e-14;  // a few roundings of numbers of size one
 
 MatrixXd RandomMatrix(int rows, int cols, Rng* rng) {
   MatrixXd A(rows, cols);
@@ -38,7 +38,7 @@ TEST(TruncatedSvd, ReproducesTheScaledMatrix) {
   const Eigen::Vector4d scale(1, 0.1, 3, 0.02);
   const TruncatedSvd svd = DecomposeScaled(J, scale);
   EXPECT_THAT(svd.U * svd.s.asDiagonal() * svd.V.transpose(),
-              MatrixNear(J * scale.asDiagonal(), kRounding));
+              MatrixNear(J * scale.asDiagonal(), kSvdRounding));
   EXPECT_EQ(svd.rank, 4);
   for (int i = 0; i + 1 < 4; ++i) EXPECT_GE(svd.s[i], svd.s[i + 1]);
 }
@@ -60,7 +60,8 @@ TEST(TruncatedSvd, SharesWhatCannotBeToldApartEqually) {
   SetCut(1e-12, &svd);
   EXPECT_EQ(svd.rank, 2);
   // x0 + x1 = 4 and 3 x2 = 6 reproduce b; the shortest x halves the sum.
-  EXPECT_THAT(svd.Solve(Eigen::Vector3d(4, 8, 6)), MatrixNear(Eigen::Vector3d(2, 2, 2), kRounding));
+  EXPECT_THAT(svd.Solve(Eigen::Vector3d(4, 8, 6)),
+              MatrixNear(Eigen::Vector3d(2, 2, 2), kSvdRounding));
 }
 
 TEST(TruncatedSvd, SharesByTheSquaresOfTheScales) {
@@ -68,7 +69,7 @@ TEST(TruncatedSvd, SharesByTheSquaresOfTheScales) {
   TruncatedSvd svd = DecomposeScaled(TwoEqualColumns(), Eigen::Vector3d(3, 1, 1));
   SetCut(1e-12, &svd);
   EXPECT_THAT(svd.Solve(Eigen::Vector3d(4, 8, 6)),
-              MatrixNear(Eigen::Vector3d(3.6, 0.4, 2), kRounding));
+              MatrixNear(Eigen::Vector3d(3.6, 0.4, 2), kSvdRounding));
 }
 
 TEST(TruncatedSvd, CountsASingularValueAtTheCutAsZero) {
@@ -95,9 +96,9 @@ TEST(TruncatedSvd, SplitsTheColumnsIntoSeenAndUnseenDirections) {
   const MatrixXd dropped = svd.dropped();
   ASSERT_EQ(dropped.cols(), 1);
   EXPECT_THAT(TwoEqualColumns() * svd.scale.asDiagonal() * dropped,
-              MatrixNear(VectorXd::Zero(3), kRounding));
-  EXPECT_THAT(svd.kept().transpose() * dropped, MatrixNear(VectorXd::Zero(2), kRounding));
-  EXPECT_THAT(dropped.transpose() * dropped, MatrixNear(MatrixXd::Ones(1, 1), kRounding));
+              MatrixNear(VectorXd::Zero(3), kSvdRounding));
+  EXPECT_THAT(svd.kept().transpose() * dropped, MatrixNear(VectorXd::Zero(2), kSvdRounding));
+  EXPECT_THAT(dropped.transpose() * dropped, MatrixNear(MatrixXd::Ones(1, 1), kSvdRounding));
 }
 
 TEST(TruncatedSvd, FindsSmallSingularValuesToTheRoundingOfTheLargest) {

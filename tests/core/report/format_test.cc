@@ -11,7 +11,7 @@ namespace dhcal {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kInf = std::numeric_limits<double>::infinity();
 
 TEST(Fixed, PrintsNeitherNegativeZeroNorNaN) {
   EXPECT_EQ(Fixed(-1e-9, 3), "0.000");
@@ -22,7 +22,7 @@ TEST(Fixed, PrintsNeitherNegativeZeroNorNaN) {
 
 TEST(Fixed, IsScientificWhereFixedWouldBeEndless) {
   EXPECT_EQ(Fixed(1e300, 3), "1.000e+300");
-  EXPECT_EQ(Fixed(-kInfinity, 3), "-inf");
+  EXPECT_EQ(Fixed(-kInf, 3), "-inf");
 }
 
 TEST(FixedWithin, GivesUpDecimalsBeforeDigits) {
