@@ -100,18 +100,6 @@ void SpoilMasses(Rng* rng, RobotModel* robot) {
   robot->payload.mass -= 2;
 }
 
-EffectRequest Request(const std::string& effect,
-                      int joint,
-                      std::map<std::string, double> values,
-                      std::map<std::string, double> settings = {}) {
-  EffectRequest request;
-  request.effect = effect;
-  request.joint = joint;
-  request.values = std::move(values);
-  request.settings = std::move(settings);
-  return request;
-}
-
 void AddNulls(std::vector<Scenario>* all) {
   const auto add = [&](Scenario s, const std::string& name) {
     s.name = name;
@@ -252,6 +240,18 @@ void AddMasses(std::vector<Scenario>* all) {
 }
 
 }  // namespace
+
+EffectRequest Request(const std::string& effect,
+                      int joint,
+                      std::map<std::string, double> values,
+                      std::map<std::string, double> settings) {
+  EffectRequest request;
+  request.effect = effect;
+  request.joint = joint;
+  request.values = std::move(values);
+  request.settings = std::move(settings);
+  return request;
+}
 
 Draw MakeDraw(const Scenario& s, std::uint64_t seed) {
   Rng rng(seed);

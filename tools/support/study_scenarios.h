@@ -6,6 +6,7 @@
 #define DHCAL_TOOLS_SUPPORT_STUDY_SCENARIOS_H_
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,12 @@ struct Draw {
   ProblemSpec spec;
   Recording recording;
 };
+
+/// An effect with its values, as a scenario's truth.
+EffectRequest Request(const std::string& effect,
+                      int joint,
+                      std::map<std::string, double> values = {},
+                      std::map<std::string, double> settings = {});
 
 /// One draw: geometry errors (3 mrad mastering, 1 mrad, 0.3 mm), poses and noise from the seed.
 Draw MakeDraw(const Scenario& scenario, std::uint64_t seed);

@@ -9,24 +9,15 @@
 namespace dhcal {
 namespace {
 
-EffectRequest Request(const char* effect, int joint) {
-  EffectRequest request;
-  request.effect = effect;
-  request.joint = joint;
-  return request;
-}
-
 Draw DrawWithALineAndACompliance() {
   Scenario scenario;
   scenario.poses = 400;
-  scenario.truth = {Request("gear_harmonic", 3), Request("joint_compliance", 2)};
-  scenario.truth[0].settings["order"] = 17;
-  scenario.truth[0].values["sin_17"] = 3e-4;
-  scenario.truth[1].values["compliance"] = 3e-6;
+  scenario.truth = {Request("gear_harmonic", 3, {{"sin_17", 3e-4}}, {{"order", 17}}),
+                    Request("joint_compliance", 2, {{"compliance", 3e-6}})};
   return MakeDraw(scenario, 4);
 }
 
-double Rms(const CompleteFit& fit) {
+double RmsOf(const CompleteFit& fit) {
   return Statistics(fit.calibration, fit.state(), fit.calibration.readings.fitted).rms;
 }
 
@@ -40,9 +31,9 @@ TEST(FitCompleteWithCurves, DoesNotDependOnWhereItStarts) {
   ASSERT_TRUE(cold->usable());
   ASSERT_TRUE(near->usable());
   const double sigma = draw.spec.measurement.sigma.value();
-  EXPECT_GT(Rms(*geometry), 3 * sigma);
-  EXPECT_LT(Rms(*cold), 1.05 * sigma);
-  EXPECT_NEAR(Rms(*near), Rms(*cold), 1e-3 * sigma);
+  EXPECT_GT(RmsOf(*geometry), 3 * sigma);
+  EXPECT_LT(RmsOf(*cold), 1.05 * sigma);
+  EXPECT_NEAR(RmsOf(*near), RmsOf(*cold), 1e-3 * sigma);
   const EffectEstimates a = EstimateEffects(*cold), b = EstimateEffects(*near);
   ASSERT_EQ(a.value.size(), b.value.size());
   for (Eigen::Index k = 0; k < a.value.size(); ++k) {

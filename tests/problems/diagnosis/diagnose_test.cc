@@ -32,14 +32,6 @@ Scenario With(const EffectRequest& effect) {
   return scenario;
 }
 
-EffectRequest Compliance2() {
-  EffectRequest request;
-  request.effect = "joint_compliance";
-  request.joint = 2;
-  request.values["compliance"] = 3e-6;
-  return request;
-}
-
 TEST(Diagnose, CleanDataIsConsistentWithLimitsAndRisks) {
   const Draw draw = MakeDraw(Scenario(), 1);
   const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
@@ -65,7 +57,7 @@ TEST(Diagnose, ScaleIsNeverVisible) {
 }
 
 TEST(Diagnose, NamesLocatesAndSizesComplianceAndImprovesUnseenRows) {
-  const Draw draw = MakeDraw(With(Compliance2()), 1);
+  const Draw draw = MakeDraw(With(Request("joint_compliance", 2, {{"compliance", 3e-6}})), 1);
   const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
   ASSERT_EQ(d.verdict, DiagnosisVerdict::kExplained) << d.summary;
   ASSERT_EQ(d.findings.size(), 1);
@@ -85,7 +77,7 @@ TEST(Diagnose, NamesLocatesAndSizesComplianceAndImprovesUnseenRows) {
 }
 
 TEST(Diagnose, WithoutMassesComplianceIsStillFound) {
-  Draw draw = MakeDraw(With(Compliance2()), 3);
+  Draw draw = MakeDraw(With(Request("joint_compliance", 2, {{"compliance", 3e-6}})), 3);
   draw.spec.robot.links.clear();
   draw.spec.robot.payload = LinkMass();
   const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
@@ -101,7 +93,7 @@ TEST(Diagnose, WithoutMassesComplianceIsStillFound) {
 }
 
 TEST(Diagnose, ANegativeComplianceIsAnAlarm) {
-  EffectRequest reversed = Compliance2();
+  EffectRequest reversed = Request("joint_compliance", 2, {{"compliance", 3e-6}});
   reversed.values["compliance"] = -3e-6;
   const Draw draw = MakeDraw(With(reversed), 4);
   const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
@@ -195,7 +187,7 @@ TEST(Diagnose, AnUnknownColumnMayBeTheDriver) {
 }
 
 TEST(Diagnose, TheOrderOfTheRowsDoesNotMatterWhereNothingDependsOnIt) {
-  const Draw draw = MakeDraw(With(Compliance2()), 10);
+  const Draw draw = MakeDraw(With(Request("joint_compliance", 2, {{"compliance", 3e-6}})), 10);
   Recording reversed = draw.recording;
   reversed.q = draw.recording.q.colwise().reverse();
   reversed.p_WQ = draw.recording.p_WQ.colwise().reverse();

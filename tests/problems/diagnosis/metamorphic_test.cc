@@ -78,14 +78,6 @@ void ExpectSame(const Decision& a, const Decision& b) {
   }
 }
 
-EffectRequest Compliance2() {
-  EffectRequest request;
-  request.effect = "joint_compliance";
-  request.joint = 2;
-  request.values["compliance"] = 3e-6;
-  return request;
-}
-
 /// Three runs over the rows of a draw.
 Draw InRuns(Draw draw) {
   draw.recording.run_names = {"one", "two", "three"};
@@ -101,7 +93,7 @@ Draw TwoEffects() {
   line.joint = 3;
   line.settings["order"] = 121;
   line.values["sin_121"] = 1e-4;
-  s.truth = {Compliance2(), line};
+  s.truth = {Request("joint_compliance", 2, {{"compliance", 3e-6}}), line};
   return InRuns(MakeDraw(s, 31));
 }
 

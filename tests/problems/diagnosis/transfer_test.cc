@@ -12,17 +12,9 @@
 namespace dhcal {
 namespace {
 
-EffectRequest Compliance() {
-  EffectRequest request;
-  request.effect = "joint_compliance";
-  request.joint = 2;
-  request.values["compliance"] = 3e-6;
-  return request;
-}
-
 Draw CompliantDraw(std::uint64_t seed) {
   Scenario scenario;
-  scenario.truth = {Compliance()};
+  scenario.truth = {Request("joint_compliance", 2, {{"compliance", 3e-6}})};
   return MakeDraw(scenario, seed);
 }
 
@@ -36,14 +28,14 @@ TEST(HeldEffect, AtItsTrueValuesLeavesTheNoise) {
   Draw draw = CompliantDraw(1);
   const double sigma = draw.spec.measurement.sigma.value();
   EXPECT_GT(Rms(draw.spec, draw.recording), 2 * sigma);
-  draw.spec.parameters.effects = {Compliance()};
+  draw.spec.parameters.effects = {Request("joint_compliance", 2, {{"compliance", 3e-6}})};
   draw.spec.parameters.effects[0].held = true;
   EXPECT_LT(Rms(draw.spec, draw.recording), 1.1 * sigma);
 }
 
 TEST(HeldEffect, IsNoUnknown) {
   Draw draw = CompliantDraw(1);
-  draw.spec.parameters.effects = {Compliance()};
+  draw.spec.parameters.effects = {Request("joint_compliance", 2, {{"compliance", 3e-6}})};
   draw.spec.parameters.effects[0].held = true;
   const Calibration c(draw.spec, draw.recording);
   EXPECT_TRUE(c.effect_columns.empty());
@@ -61,7 +53,8 @@ TEST(ConsecutiveBlocks, AreInOrderAndOfEqualSize) {
 
 TEST(PredictBlocks, ImprovesEveryBlockByWhatWasLeftOut) {
   const Draw draw = CompliantDraw(2);
-  const auto errors = PredictBlocks(draw.spec, draw.recording, {Compliance()}, 3, {});
+  const auto errors = PredictBlocks(
+      draw.spec, draw.recording, {Request("joint_compliance", 2, {{"compliance", 3e-6}})}, 3, {});
   ASSERT_EQ(errors.size(), 4);
   for (const Errors& block : errors) EXPECT_LT(block.after, 0.5 * block.before);
 }
@@ -74,7 +67,11 @@ TEST(TransferTo, CarriesPhysicsButNoInstantsToAnotherRecording) {
   step.settings["at_row"] = 50;
   step.values["step"] = 1e-3;
   const Transfer transfer =
-      TransferTo(second.spec, second.recording, first.recording, {Compliance(), step}, {});
+      TransferTo(second.spec,
+                 second.recording,
+                 first.recording,
+                 {Request("joint_compliance", 2, {{"compliance", 3e-6}}), step},
+                 {});
   EXPECT_EQ(transfer.left_behind.size(), 1);
   EXPECT_LT(transfer.all.after, 0.5 * transfer.all.before);
   EXPECT_EQ(transfer.inside.rows + transfer.outside.rows, transfer.all.rows);

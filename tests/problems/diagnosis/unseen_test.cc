@@ -11,19 +11,11 @@
 namespace dhcal {
 namespace {
 
-EffectRequest Request(const char* effect, int joint) {
-  EffectRequest request;
-  request.effect = effect;
-  request.joint = joint;
-  return request;
-}
-
 class LeftOutRowsTest : public testing::Test {
  protected:
   LeftOutRowsTest() {
     Scenario scenario;
-    scenario.truth = {Request("joint_compliance", 2)};
-    scenario.truth[0].values["compliance"] = 3e-6;
+    scenario.truth = {Request("joint_compliance", 2, {{"compliance", 3e-6}})};
     draw_ = MakeDraw(scenario, 11);
     fit_ = FitComplete(draw_.spec,
                        draw_.recording,
