@@ -113,6 +113,8 @@ class BlockTests {
   };
   void Simulate() const;
   Conditioned Condition(const BlockModel& model) const;
+  /// The same with the columns of some blocks only.
+  Conditioned Condition(const BlockModel& model, const std::vector<int>& blocks) const;
   /// E with Q = |E' z|^2 for a block; its columns count k.
   Eigen::MatrixXd Factor(const Conditioned& c, int block) const;
   Eigen::MatrixXd ConditionalS(const Conditioned& c, int row_block, int col_block) const;

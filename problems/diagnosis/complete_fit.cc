@@ -81,16 +81,17 @@ Eigen::VectorXd SolveAll(const LinearModel& model, bool noise_given, Noise* nois
 
 /// The curves' coefficients beside everything else, in turn with a fit of everything else with the
 /// curves held. Starts from `named` and the noise of `result`; ends with all effects as unknowns.
+/// Near the solution one turn does, for what couples curves and geometry is of second order.
 void FitCurves(const std::vector<EffectRequest>& all,
                const std::vector<bool>& is_curve,
                std::map<std::string, double> named,
+               int turns,
                const Progress& progress,
                CompleteFit* result) {
-  constexpr int kTurns = 2;
   Calibration& c = result->calibration;
   const bool noise_given = SourceOfNoise(c).all_given();
   std::vector<EffectRequest> held = all;
-  for (int turn = 0; turn < kTurns && result->usable(); ++turn) {
+  for (int turn = 0; turn < turns && result->usable(); ++turn) {
     c.SetEffects(all);
     Noise noise = result->fit.noise_seen;
     const Eigen::VectorXd values =
@@ -141,7 +142,7 @@ std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
   if (curves && near != nullptr) {
     c.frames = near->calibration.frames;
     result->fit = near->fit;
-    FitCurves(all, is_curve, Named(near->calibration, near->state()), progress, result.get());
+    FitCurves(all, is_curve, Named(near->calibration, near->state()), 1, progress, result.get());
     return result;
   }
   AlignStart(&c);
@@ -151,7 +152,7 @@ std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
   c.SetEffects(at_zero);
   result->fit = RunFit(
       c, SolverMethod::kSvdGaussNewton, OptionsOf(result->spec.solver), InitialNoise(c), progress);
-  if (curves) FitCurves(all, is_curve, Named(c, result->state()), progress, result.get());
+  if (curves) FitCurves(all, is_curve, Named(c, result->state()), 2, progress, result.get());
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
+#include "core/base/parallel.h"
 #include "core/physics/registry.h"
 #include "problems/diagnosis/projection.h"
 
@@ -117,12 +118,20 @@ void HypothesisSpace::CompleteGram() const {
   if (fresh == 0) return;
   S_.conservativeResize(num_columns_, num_columns_);
   const auto added = X_.middleCols(known, fresh);
-  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(fresh, fresh);
-  own.selfadjointView<Eigen::Lower>().rankUpdate(added.transpose());
-  own.triangularView<Eigen::StrictlyUpper>() = own.transpose();
-  S_.bottomRightCorner(fresh, fresh) = own;
-  S_.bottomLeftCorner(fresh, known) = added.transpose() * X_.leftCols(known);
-  S_.topRightCorner(known, fresh) = S_.bottomLeftCorner(fresh, known).transpose();
+  // In strips of old and new columns; of the new ones' own square, all up to the diagonal's strip.
+  constexpr Eigen::Index kStrip = 64;
+  const auto strips = static_cast<int>((num_columns_ + kStrip - 1) / kStrip);
+  ParallelFor(strips, [&](int strip) {
+    const Eigen::Index first = strip * kStrip;
+    const Eigen::Index width = std::min<Eigen::Index>(kStrip, num_columns_ - first);
+    const Eigen::Index from = std::max<Eigen::Index>(first - known, 0);  // of the new columns
+    S_.block(known + from, first, fresh - from, width).noalias() =
+        added.rightCols(fresh - from).transpose() * X_.middleCols(first, width);
+  });
+  for (Eigen::Index k = known; k < num_columns_; ++k) {
+    S_.row(k).tail(num_columns_ - k) = S_.col(k).tail(num_columns_ - k).transpose();
+    S_.col(k).head(known) = S_.row(k).head(known).transpose();
+  }
 }
 
 BlockTests HypothesisSpace::Tests(

@@ -6,6 +6,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/base/parallel.h"
 #include "problems/assembly.h"
 #include "problems/diagnosis/design_rows.h"
 
@@ -30,6 +31,7 @@ LinearModel::LinearModel(const Calibration& c, const VectorXd& state, const Nois
 
 NormalEquations NormalEquationsOf(const LinearModel& model, const std::vector<int>& rows) {
   constexpr std::size_t kRowsAtOnce = 2048;
+  constexpr int kParts = 4;
   const Index num_columns = model.A.cols();
   std::vector<int> used = rows;
   if (used.empty()) {
@@ -37,15 +39,24 @@ NormalEquations NormalEquationsOf(const LinearModel& model, const std::vector<in
     std::iota(used.begin(), used.end(), 0);
   }
   // With y as one more column its products come along.
-  MatrixXd products = MatrixXd::Zero(num_columns + 1, num_columns + 1);
-  for (std::size_t first = 0; first < used.size(); first += kRowsAtOnce) {
-    const std::size_t last = std::min(first + kRowsAtOnce, used.size());
-    const std::vector<int> some(used.begin() + static_cast<long>(first),
-                                used.begin() + static_cast<long>(last));
-    MatrixXd rows_and_y(static_cast<Index>(some.size()), num_columns + 1);
-    rows_and_y << model.A(some, Eigen::all), model.y(some);
-    products.selfadjointView<Eigen::Lower>().rankUpdate(rows_and_y.transpose());
-  }
+  std::vector<MatrixXd> of_part(kParts, MatrixXd::Zero(num_columns + 1, num_columns + 1));
+  ParallelFor(kParts, [&](int part) {
+    const auto i = static_cast<std::size_t>(part);
+    const std::size_t end = used.size() * (i + 1) / kParts;
+    for (std::size_t first = used.size() * i / kParts; first < end; first += kRowsAtOnce) {
+      const std::vector<int> some(
+          used.begin() + static_cast<long>(first),
+          used.begin() + static_cast<long>(std::min(first + kRowsAtOnce, end)));
+      MatrixXd rows_and_y(static_cast<Index>(some.size()), num_columns + 1);
+      rows_and_y << model.A(some, Eigen::all), model.y(some);
+      of_part[i].selfadjointView<Eigen::Lower>().rankUpdate(rows_and_y.transpose());
+    }
+  });
+  MatrixXd products =
+      std::accumulate(of_part.begin() + 1,
+                      of_part.end(),
+                      of_part.front(),
+                      [](const MatrixXd& a, const MatrixXd& b) { return MatrixXd(a + b); });
   products.triangularView<Eigen::StrictlyUpper>() = products.transpose();
   return {products.topLeftCorner(num_columns, num_columns),
           products.col(num_columns).head(num_columns)};

@@ -7,6 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/math/nonuniform_fourier.h"
 #include "core/math/statistics.h"
@@ -205,12 +206,16 @@ std::vector<SpectralPeak> ScanOrders(const PhysicsContext& c,
                                      double nu,
                                      bool sigma_known) {
   const double rss = y.squaredNorm();
-  std::vector<SpectralPeak> peaks;
+  std::vector<int> joints;
   for (int joint = 0; joint < c.num_joints(); ++joint) {
-    if (!IsScanned(c, joint)) continue;
-    const JointSums sums = SumsOf(rows, basis, y, c.joint_slot(joint), c.num_rows());
-    peaks.push_back(HighestPeak(c, sums, joint));
+    if (IsScanned(c, joint)) joints.push_back(joint);
   }
+  std::vector<SpectralPeak> peaks(joints.size());
+  ParallelFor(static_cast<int>(joints.size()), [&](int k) {
+    const auto i = static_cast<std::size_t>(k);
+    const JointSums sums = SumsOf(rows, basis, y, c.joint_slot(joints[i]), c.num_rows());
+    peaks[i] = HighestPeak(c, sums, joints[i]);
+  });
   const double width = ScanWidth(c);
   for (SpectralPeak& peak : peaks) {
     peak.p = TailOf(peak.Q, rss, nu, sigma_known);
