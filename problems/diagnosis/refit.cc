@@ -103,8 +103,8 @@ void NameFreed(const std::vector<EffectRequest>& shapes,
       finding.effect = names[i];
       finding.cautions.emplace_back(
           "the masses of the problem file do not bring the fit down to the noise, so its moments "
-          "were fitted, too: the masses are not as stated, or a spring or counterweight helps the "
-          "joint");
+          "were fitted, too: the masses are not as stated, a spring or counterweight helps the "
+          "joint, or something else is left out");
     }
   }
 }

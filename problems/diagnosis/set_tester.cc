@@ -22,6 +22,7 @@ constexpr double kImmaterial = 0.02 * 0.02;
 constexpr double kImmaterialSamePlace = 0.04 * 0.04;
 // No maximum of a few hundred normal scores comes near.
 constexpr double kHopeless = 7.0;
+constexpr double kShareOfScan = 0.2;  // of the false-alarm rate
 constexpr char kScaleClass[] = "C7";
 constexpr std::size_t kMostRefined = 4;
 // Lines of one joint's gear that are followed.
@@ -36,9 +37,8 @@ constexpr Eigen::Index kManyColumns = 100;
 
 }  // namespace
 
-double Combine(double p, double q) {
-  const double least = std::min(p, q);
-  return 1 - (1 - least) * (1 - least);
+double Combine(double p_blocks, double p_scan) {
+  return std::min({p_blocks / (1 - kShareOfScan), p_scan / kShareOfScan, 1.0});
 }
 
 SetTester::SetTester(const SearchOptions& options, HypothesisSpace* space)
@@ -302,7 +302,7 @@ TestedSet SetTester::Try(const std::vector<int>& members, bool rescan) const {
   set.members = members;
   if (!tests_->MayFit(model, order_, kHopeless, excused)) return set;
   const double p_lines = LinesLeft(model);
-  if (p_lines <= options_.false_alarm / 2) return set;
+  if (p_lines <= options_.false_alarm * kShareOfScan) return set;
   set.p = Combine(tests_->Test(model, options_.false_alarm, excused).p, p_lines);
   // A new scan costs much; a model that leaves no known line hardly leaves another.
   if (rescan && set.p > options_.false_alarm) set.p = std::min(set.p, LeastScan(Scan(members)));

@@ -16,8 +16,9 @@
 
 namespace dhcal {
 
-/// Probability that the smaller of two independent ones is this small.
-double Combine(double p, double q);
+/// Family-wise probability of the block tests' and the order scan's together. The scan has a fifth
+/// of the error rate: its p is a bound, which for most recordings is far from reached.
+double Combine(double p_blocks, double p_scan);
 
 class SetTester {
  public:

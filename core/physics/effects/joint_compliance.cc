@@ -120,11 +120,9 @@ class JointComplianceEffect final : public Effect {
           "joint {} yields {} under {}", request.joint, Quantity(c, kMicro, "urad per N m"), load);
     }
     std::string text = fmt::format(
-        "joint {} yields under gravity; the masses are not {}, so only products with the "
-        "compliance "
-        "are known: ",
+        "joint {} yields under gravity; {}, so only products with the compliance are known: ",
         request.joint,
-        FreesMasses(request) ? "as stated" : "given");
+        FreesMasses(request) ? "the stated masses do not fit" : "the masses are not given");
     for (std::size_t k = 0; k < values.size(); ++k) {
       const EffectValue& value = values[k];
       const std::string moment = value.parameter.substr(std::string("compliance_x_").size());
