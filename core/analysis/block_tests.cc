@@ -12,6 +12,7 @@
 #include <glog/logging.h>
 
 #include "core/base/rng.h"
+#include "core/math/pseudo_root.h"
 #include "core/math/statistics.h"
 
 namespace dhcal {
@@ -21,85 +22,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// A column of which less than this share (squared) is left beside geometry and model cannot be
-// told from them (physics.md B.2).
-constexpr double kSmallestShare = 1e-6;
 // Beyond this score no draw comes near; the model is rejected without simulating.
 constexpr double kFarOut = 9.0;
 constexpr int kMostSoft = 200;
-constexpr Index kManyColumns = 60;
 // A probability this far from the level by the geometry's draws is on its side of it.
 constexpr double kClear = 3.0;
-
-/// Eigen-directions of a symmetric matrix scaled to unit norms, above the cut: E with
-/// E E' = pseudo-inverse.
-MatrixXd PseudoRoot(const MatrixXd& S, const VectorXd& norm2) {
-  VectorXd scale = norm2.cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const MatrixXd scaled = scale.asDiagonal() * S * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scaled);
-  Index first = 0;
-  while (first < scaled.rows() && eigen.eigenvalues()[first] <= kSmallestShare) ++first;
-  const Index kept = scaled.rows() - first;
-  return scale.asDiagonal() * eigen.eigenvectors().rightCols(kept) *
-         eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
-}
-
-/// Exchanges rows and columns a <= b of a symmetric matrix of which only the lower triangle from
-/// column a on is used.
-void SwapInLower(Index a, Index b, MatrixXd* matrix) {
-  if (a == b) return;
-  MatrixXd& S = *matrix;
-  const Index between = b - a - 1, below = S.rows() - b - 1;
-  std::swap(S(a, a), S(b, b));
-  S.col(a).segment(a + 1, between).swap(S.row(b).segment(a + 1, between).transpose());
-  S.col(a).tail(below).swap(S.col(b).tail(below));
-}
-
-/// The same span from a pivoted Cholesky factor: for models of hundreds of columns, at a twentieth
-/// of the cost. Columns that the others leave nothing of are not used. (Eigen's LDLT looks at
-/// diagonals that it has not brought up to date, so that it may meet a dependent column early.)
-MatrixXd PivotedRoot(const MatrixXd& S, const VectorXd& norm2) {
-  const VectorXd scale = norm2.cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  MatrixXd left = scale.asDiagonal() * S * scale.asDiagonal();
-  const Index size = left.rows();
-  MatrixXd L = MatrixXd::Zero(size, size);
-  std::vector<Index> order(static_cast<std::size_t>(size));
-  std::iota(order.begin(), order.end(), Index{0});
-  Index rank = 0;
-  for (; rank < size; ++rank) {
-    Index pivot = 0;
-    if (left.diagonal().tail(size - rank).maxCoeff(&pivot) <= kSmallestShare) break;
-    pivot += rank;
-    SwapInLower(rank, pivot, &left);
-    L.row(rank).swap(L.row(pivot));
-    std::swap(order[static_cast<std::size_t>(rank)], order[static_cast<std::size_t>(pivot)]);
-    const Index rest = size - rank - 1;
-    L(rank, rank) = std::sqrt(left(rank, rank));
-    L.col(rank).tail(rest) = left.col(rank).tail(rest) / L(rank, rank);
-    left.bottomRightCorner(rest, rest)
-        .selfadjointView<Eigen::Lower>()
-        .rankUpdate(L.col(rank).tail(rest), -1);
-  }
-  const MatrixXd root = L.topLeftCorner(rank, rank)
-                            .triangularView<Eigen::Lower>()
-                            .transpose()
-                            .solve(MatrixXd::Identity(rank, rank));
-  MatrixXd F = MatrixXd::Zero(size, rank);
-  for (Index k = 0; k < rank; ++k) F.row(order[static_cast<std::size_t>(k)]) = root.row(k);
-  return scale.asDiagonal() * F;
-}
-
-/// Wilson and Hilferty (1931): chi-square / dof to a normal score.
-double ChiSquareScore(double mean_square, double dof) {
-  const double spread = 2 / (9 * dof);
-  return (std::cbrt(std::max(mean_square, 0.0)) - (1 - spread)) / std::sqrt(spread);
-}
-
-/// Paulson (1942): F to a normal score.
-double FScore(double F, double k, double nu) {
-  const double a = 2 / (9 * k), b = 2 / (9 * nu), root = std::cbrt(std::max(F, 0.0));
-  return ((1 - b) * root - (1 - a)) / std::sqrt(b * root * root + a);
-}
 
 }  // namespace
 
@@ -184,7 +111,7 @@ BlockTests::Root BlockTests::RootOf(const BlockModel& model) const {
     S_AA(hard + k, hard + k) += precision;
     norm2[hard + k] += precision;
   }
-  root.F = S_AA.rows() > kManyColumns ? PivotedRoot(S_AA, norm2) : PseudoRoot(S_AA, norm2);
+  root.F = PseudoRoot(S_AA, norm2);
   return root;
 }
 

@@ -25,6 +25,16 @@ double FTail(double x, double k, double nu) {
   return boost::math::cdf(boost::math::complement(boost::math::fisher_f(k, nu), std::max(x, 0.0)));
 }
 
+double ChiSquareScore(double mean_square, double dof) {
+  const double spread = 2 / (9 * dof);
+  return (std::cbrt(std::max(mean_square, 0.0)) - (1 - spread)) / std::sqrt(spread);
+}
+
+double FScore(double F, double k, double nu) {
+  const double a = 2 / (9 * k), b = 2 / (9 * nu), root = std::cbrt(std::max(F, 0.0));
+  return ((1 - b) * root - (1 - a)) / std::sqrt(b * root * root + a);
+}
+
 double Median(std::vector<double> values) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

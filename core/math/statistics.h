@@ -16,6 +16,13 @@ double ChiSquareTail(double x, double dof);
 /// P(F with `k` and `nu` degrees of freedom > x).
 double FTail(double x, double k, double nu);
 
+/// The standard normal score of a chi-square variable with `dof` degrees of freedom, given as its
+/// mean square x / dof (Wilson and Hilferty 1931).
+double ChiSquareScore(double mean_square, double dof);
+
+/// The standard normal score of an F variable with `k` and `nu` degrees of freedom (Paulson 1942).
+double FScore(double F, double k, double nu);
+
 /// Median; NaN when empty.
 double Median(std::vector<double> values);
 

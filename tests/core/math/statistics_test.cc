@@ -56,6 +56,18 @@ TEST(ChiSquareTail, AgreesWithTheTable) {
   EXPECT_NEAR(ChiSquareTail(124.342, 100), 0.05, 5e-6);
 }
 
+TEST(ChiSquareScore, HasTheTailOfTheNormalAtTheTablesQuantiles) {
+  // 95 % quantiles; the cube root is good to a few thousandths there.
+  EXPECT_NEAR(ChiSquareScore(18.307 / 10, 10), 1.6449, 0.01);
+  EXPECT_NEAR(ChiSquareScore(124.342 / 100, 100), 1.6449, 0.002);
+}
+
+TEST(FScore, HasTheTailOfTheNormalAtTheTablesQuantiles) {
+  EXPECT_NEAR(FScore(2.3551, 8, 24), 1.6449, 0.005);
+  EXPECT_NEAR(FScore(2.9782, 10, 10), 1.6449, 0.005);
+  EXPECT_NEAR(FScore(1.8307, 10, 1e9), ChiSquareScore(1.8307, 10), 1e-6);
+}
+
 TEST(Median, IsTheMiddleOrBetweenTheMiddleTwo) {
   EXPECT_EQ(Median({3}), 3);
   EXPECT_EQ(Median({5, 1, 3}), 3);
