@@ -195,13 +195,19 @@ std::string Line(const Scenario& scenario, const std::vector<Score>& s) {
       seconds);
 }
 
+constexpr char kUsage[] =
+    "usage: dhcal_study [null|single|several|outside|masses|all|part of a scenario's name] [draws] "
+    "[verbose]\n";
+
 int Run(const std::string& group, int draws, bool verbose) {
   const int threads = std::max(1u, std::thread::hardware_concurrency());
   std::vector<Score> detectable;
+  bool any = false;
   for (const Scenario& scenario : AllScenarios()) {
     const bool wanted =
         group == "all" || scenario.group == group || scenario.name.find(group) != std::string::npos;
     if (!wanted) continue;
+    any = true;
     const std::vector<Score> scores = RunScenario(scenario, draws, threads);
     std::cout << Line(scenario, scores) << std::endl;
     if (verbose) {
@@ -225,7 +231,8 @@ int Run(const std::string& group, int draws, bool verbose) {
     pooled.group = "single";
     std::cout << Line(pooled, detectable) << std::endl;
   }
-  return 0;
+  if (!any) std::cerr << "dhcal_study: no scenario is in or called '" << group << "'\n" << kUsage;
+  return any ? 0 : 2;
 }
 
 }  // namespace
@@ -233,10 +240,13 @@ int Run(const std::string& group, int draws, bool verbose) {
 
 int main(int argc, char** argv) {
   const std::string group = argc > 1 ? argv[1] : "all";
+  if (group == "--help" || group == "-h") {
+    std::cout << dhcal::kUsage;
+    return 0;
+  }
   const int draws = argc > 2 ? std::atoi(argv[2]) : 100;
   if (draws < 1) {
-    std::cerr << "dhcal_study: the number of draws must be at least 1\n"
-                 "usage: dhcal_study [null|single|several|outside|masses|all] [draws] [verbose]\n";
+    std::cerr << "dhcal_study: the number of draws must be at least 1\n" << dhcal::kUsage;
     return 2;
   }
   return dhcal::Run(group, draws, argc > 3);

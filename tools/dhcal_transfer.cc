@@ -143,7 +143,8 @@ int main(int argc, char** argv) {
   }
   const int blocks = numbers.empty() ? 10 : numbers[0];
   const int unseen = numbers.size() > 1 ? numbers[1] : 0;
-  if (files.empty() || files.size() > 2 || blocks < 2 || unseen > blocks) {
+  const bool flag = !files.empty() && files.front().rfind('-', 0) == 0;  // such as --help
+  if (files.empty() || flag || files.size() > 2 || blocks < 2 || unseen > blocks) {
     std::cerr << "usage: dhcal_transfer FIRST.yaml [SECOND.yaml] [blocks >= 2] [unseen blocks]\n";
     return 2;
   }

@@ -7,10 +7,14 @@ namespace {
 
 constexpr std::array<const char*, SlotLayout::kPerJoint> kJointNames = {
     "theta", "d", "a", "alpha", "beta"};
-constexpr std::array<const char*, SlotLayout::kPerFrame> kFrameNames = {
+constexpr std::array<const char*, SlotLayout::kPerFrame> kComponentNames = {
     "x", "y", "z", "rx", "ry", "rz"};
 
 }  // namespace
+
+const char* SlotLayout::ComponentName(int component) {
+  return kComponentNames[static_cast<std::size_t>(component)];
+}
 
 std::string SlotLayout::Name(int slot) const {
   if (is_joint(slot)) {
@@ -18,8 +22,8 @@ std::string SlotLayout::Name(int slot) const {
            std::to_string(slot / kPerJoint + 1);
   }
   const bool of_base = is_base(slot);
-  const auto component = static_cast<std::size_t>(slot - (of_base ? base(0) : tool(0)));
-  return std::string(of_base ? "base_" : "tool_") + kFrameNames[component];
+  return std::string(of_base ? "base_" : "tool_") +
+         ComponentName(slot - (of_base ? base(0) : tool(0)));
 }
 
 bool SlotLayout::is_angle(int slot) const {

@@ -4,15 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "core/kinematics/slots.h"
 #include "core/physics/columns.h"
 
 namespace dhcal {
-namespace {
-
-const char* const kFrameNames[] = {"x", "y", "z", "rx", "ry", "rz"};
-
-}  // namespace
-
 FrameEffect::FrameEffect(std::string name, std::string frame, std::string summary)
     : name_(std::move(name)), frame_(std::move(frame)), summary_(std::move(summary)) {}
 
@@ -38,7 +33,7 @@ std::vector<EffectColumn> FrameEffect::Columns(const PhysicsContext& context,
   std::vector<EffectColumn> columns;
   for (int k = 0; k < SlotLayout::kPerFrame; ++k) {
     const int slot = frame_ == "base" ? context.slots().base(k) : context.slots().tool(k);
-    columns.push_back(SlotColumn(kFrameNames[k],
+    columns.push_back(SlotColumn(SlotLayout::ComponentName(k),
                                  k < 3 ? "m" : "rad",
                                  1e-3,
                                  slot,
@@ -60,9 +55,10 @@ std::string FrameEffect::Sentence(const EffectRequest& /*request*/,
                                   const std::vector<EffectValue>& values) const {
   std::string text = summary_ + ":";
   for (int k = 0; k < SlotLayout::kPerFrame; ++k) {
-    const EffectValue value = Find(values, kFrameNames[k]);
+    const EffectValue value = Find(values, SlotLayout::ComponentName(k));
     if (!(value.sigma > 0)) continue;
-    text += fmt::format(" {} {},", kFrameNames[k], Quantity(value, 1e-3, k < 3 ? "mm" : "mrad"));
+    text += fmt::format(
+        " {} {},", SlotLayout::ComponentName(k), Quantity(value, 1e-3, k < 3 ? "mm" : "mrad"));
   }
   text.pop_back();
   return text;

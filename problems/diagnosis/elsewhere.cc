@@ -21,7 +21,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kPoses = 300;
+constexpr int kUnseenPoses = 300;
 constexpr double kHalfRange = 120 * kDegree;
 constexpr double kDetection = 27;  // non-centrality found with 90 % at 1e-4 (physics.md A.8)
 // An effect's prior sigma in typical sizes: wide, so that the data limit the risk and not what is
@@ -60,7 +60,7 @@ Elsewhere::Elsewhere(const Calibration& calibration,
       space_(space),
       geometry_(geometry),
       tolerance_(ScalesOf(geometry).tolerance),
-      poses_(PosesElsewhere(calibration.recording, calibration.spec.robot, kPoses)) {
+      poses_(PosesElsewhere(calibration.recording, calibration.spec.robot, kUnseenPoses)) {
   J_ = space.rows().Geometry(geometry) * tolerance_.asDiagonal();
   MatrixXd normal = J_.transpose() * J_;
   normal.diagonal().array() += 1;
@@ -176,7 +176,7 @@ Elsewhere::Split Elsewhere::PosesThatSplit(int one, int other) const {
     split.poses.push_back({poses_.q.row(order[k]).transpose(), kUnknown});
   }
   Recording loaded;
-  loaded.q = c_.recording.q.topRows(std::min(c_.recording.num_rows(), kPoses));
+  loaded.q = c_.recording.q.topRows(std::min(c_.recording.num_rows(), kUnseenPoses));
   const VectorXd empty = difference(loaded);
   loaded.payload = VectorXd::Constant(loaded.num_rows(), kOtherPayload);
   split.with_payload = (difference(loaded) - empty).cwiseAbs().maxCoeff();

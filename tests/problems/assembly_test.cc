@@ -29,7 +29,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr Noise kNoise{0.5, 0.7};  // large: residuals of the size of the robot
+constexpr Noise kLargeNoise{0.5, 0.7};  // large: residuals of the size of the robot
 
 std::vector<ScenarioOptions> Scenarios() {
   std::vector<ScenarioOptions> all;
@@ -74,7 +74,7 @@ class BuildProblemLaws : public testing::TestWithParam<ScenarioOptions> {
  protected:
   BuildProblemLaws()
       : scenario_(MakeScenario(GetParam())),
-        problem_(BuildProblem(*scenario_->calibration, kNoise)) {}
+        problem_(BuildProblem(*scenario_->calibration, kLargeNoise)) {}
 
   VectorXd Residuals(const VectorXd& state) {
     problem_->set_state(state);
@@ -140,7 +140,7 @@ TEST_P(BuildProblemLaws, ResidualsAreIndependentPredictionMinusReadingOverSigma)
     SCOPED_TRACE(testing::Message() << "row " << reading.row_idx);
     const int row = reading.row_idx;
     const bool own = recording.sigma.size() > 0 && !std::isnan(recording.sigma[row]);
-    const double sigma = own ? recording.sigma[row] : kNoise.sigma;
+    const double sigma = own ? recording.sigma[row] : kLargeNoise.sigma;
     const auto point = [&](const VectorXd& x, int row_idx) -> Vector3d {
       return scenario_->IndependentPose(x, row_idx).topRightCorner<3, 1>();
     };
@@ -160,7 +160,7 @@ TEST_P(BuildProblemLaws, ResidualsAreIndependentPredictionMinusReadingOverSigma)
     at += 3;
     if (GetParam().kind != MeasurementKind::kPose) continue;
     // Exp of the rotation rows leads from the measured orientation to the predicted one.
-    const Vector3d turn = kNoise.sigma_rotation * r.segment<3>(at);
+    const Vector3d turn = kLargeNoise.sigma_rotation * r.segment<3>(at);
     const auto orientation = [&](const VectorXd& x) -> Eigen::Matrix3d {
       return scenario_->IndependentPose(x, row).topLeftCorner(3, 3);
     };

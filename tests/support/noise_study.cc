@@ -19,10 +19,26 @@ namespace {
 
 constexpr int kNewPoses = 2000;
 
-Eigen::MatrixXd NewPoses(int num_joints) {
+struct Range {
+  double low, high;  // [deg]
+};
+
+/// KUKA KR 15/2, data sheet: A1 +-185, A2 -55 to 115 and A3 -210 to 70 from the home position,
+/// A4 +-350, A5 +-135, A6 +-350; here as DH angles, which run against the controller's at A2 and A3
+/// and are 90 deg at home for A2.
+constexpr Range kJointRanges[] = {
+    {-185, 185}, {90 - 115, 90 + 55}, {-70, 210}, {-350, 350}, {-135, 135}, {-350, 350}};
+constexpr Range kFullTurns[] = {
+    {-180, 180}, {-180, 180}, {-180, 180}, {-180, 180}, {-180, 180}, {-180, 180}};
+
+Eigen::MatrixXd NewPoses(const Range (&ranges)[6]) {
   Rng rng(20040620);
-  Eigen::MatrixXd q(kNewPoses, num_joints);
-  for (double& angle : q.reshaped()) angle = rng.Uniform(-kPi, kPi);
+  Eigen::MatrixXd q(kNewPoses, 6);
+  for (Eigen::Index j = 0; j < q.cols(); ++j) {
+    for (double& angle : q.col(j)) {
+      angle = rng.Uniform(ranges[j].low * kDegree, ranges[j].high * kDegree);
+    }
+  }
   return q;
 }
 
@@ -36,29 +52,35 @@ std::vector<Eigen::Vector3d> TruePoints(const ProblemSpec& spec, const Eigen::Ma
   return points;
 }
 
+/// Poses at which nothing was fitted, and where the true robot is there.
+struct NewPlaces {
+  NewPlaces(const ProblemSpec& spec, const Range (&ranges)[6])
+      : q(NewPoses(ranges)), points(TruePoints(spec, q)) {}
+  Eigen::MatrixXd q;
+  std::vector<Eigen::Vector3d> points;
+};
+
 double PredictionError(const Calibration& c,
                        const Eigen::VectorXd& state,
-                       const Eigen::MatrixXd& q,
-                       const std::vector<Eigen::Vector3d>& truth) {
+                       const NewPlaces& places) {
   const Eigen::VectorXd delta = c.SlotDeltas(state, 0);
   double squares = 0;
-  for (Eigen::Index k = 0; k < q.rows(); ++k) {
+  for (Eigen::Index k = 0; k < places.q.rows(); ++k) {
     const Eigen::Isometry3d X_WQ =
-        c.chain.Pose<double>(q.row(k).transpose(), delta, c.frames.ends(0, 0));
-    squares += (X_WQ.translation() - truth[static_cast<std::size_t>(k)]).squaredNorm();
+        c.chain.Pose<double>(places.q.row(k).transpose(), delta, c.frames.ends(0, 0));
+    squares += (X_WQ.translation() - places.points[static_cast<std::size_t>(k)]).squaredNorm();
   }
-  return std::sqrt(squares / static_cast<double>(q.rows()));
+  return std::sqrt(squares / static_cast<double>(places.q.rows()));
 }
 
 }  // namespace
 
 NoiseStudy RunNoiseStudy(ProblemSpec spec, int draws) {
-  const Eigen::MatrixXd q = NewPoses(spec.robot.num_joints());
-  const std::vector<Eigen::Vector3d> points = TruePoints(spec, q);
+  const NewPlaces in_ranges(spec, kJointRanges), full_turns(spec, kFullTurns);
   const Eigen::VectorXd truth = ErrorSlots(spec.robot, *spec.simulate);
   NoiseStudy study;
   int covered = 0;
-  std::vector<double> errors;
+  std::vector<double> errors, errors_full_turns;
   for (int draw = 1; draw <= draws; ++draw) {
     spec.simulate->seed = static_cast<std::uint64_t>(draw);
     const Recording recording = RecordingOf(spec);
@@ -69,7 +91,8 @@ NoiseStudy RunNoiseStudy(ProblemSpec spec, int draws) {
       ++study.num_failed;
       continue;
     }
-    errors.push_back(PredictionError(c, fit.summary.state, q, points));
+    errors.push_back(PredictionError(c, fit.summary.state, in_ranges));
+    errors_full_turns.push_back(PredictionError(c, fit.summary.state, full_turns));
     const FitAnalysis analysis = Analyse(c, fit);
     const double quantile = StudentTwoSided(0.95, analysis.degrees_of_freedom);
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
@@ -83,6 +106,7 @@ NoiseStudy RunNoiseStudy(ProblemSpec spec, int draws) {
   }
   study.coverage = static_cast<double>(covered) / study.num_intervals;
   study.median_prediction = Median(errors);
+  study.median_full_turns = Median(errors_full_turns);
   return study;
 }
 

@@ -9,13 +9,12 @@
 
 #include <fmt/format.h>
 
+#include "core/kinematics/slots.h"
 #include "core/physics/columns.h"
 #include "core/physics/drift.h"
 
 namespace dhcal {
 namespace {
-
-const char* const kNames[] = {"x", "y", "z"};
 
 class BaseDriftEffect final : public Effect {
  public:
@@ -39,8 +38,11 @@ class BaseDriftEffect final : public Effect {
     const bool clock = DriftByTime(c, request);
     std::vector<EffectColumn> columns;
     for (int k = 0; k < 3; ++k) {
-      columns.push_back(
-          SlotColumn(kNames[k], clock ? "m" : "m/K", clock ? 1e-4 : 1e-5, c.slots().base(k), u));
+      columns.push_back(SlotColumn(SlotLayout::ComponentName(k),
+                                   clock ? "m" : "m/K",
+                                   clock ? 1e-4 : 1e-5,
+                                   c.slots().base(k),
+                                   u));
     }
     return columns;
   }
@@ -57,10 +59,11 @@ class BaseDriftEffect final : public Effect {
     const bool clock = request.settings.count("time_constant_s") > 0;
     std::string text = fmt::format("base or instrument moves{}: ", DriftWords(request));
     for (int k = 0; k < 3; ++k) {
-      text += fmt::format("{}{} {}",
-                          k > 0 ? ", " : "",
-                          kNames[k],
-                          Quantity(Find(values, kNames[k]), 1e-3, clock ? "mm" : "mm per K"));
+      text += fmt::format(
+          "{}{} {}",
+          k > 0 ? ", " : "",
+          SlotLayout::ComponentName(k),
+          Quantity(Find(values, SlotLayout::ComponentName(k)), 1e-3, clock ? "mm" : "mm per K"));
     }
     return text;
   }

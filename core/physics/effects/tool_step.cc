@@ -9,13 +9,12 @@
 
 #include <fmt/format.h>
 
+#include "core/kinematics/slots.h"
 #include "core/physics/columns.h"
 #include "core/physics/step.h"
 
 namespace dhcal {
 namespace {
-
-const char* const kNames[] = {"x", "y", "z"};
 
 class ToolStepEffect final : public Effect {
  public:
@@ -37,8 +36,8 @@ class ToolStepEffect final : public Effect {
                                     const EffectRequest& request) const override {
     std::vector<EffectColumn> columns;
     for (int k = 0; k < 3; ++k) {
-      columns.push_back(
-          SlotColumn(kNames[k], "m", 1e-4, c.slots().tool(k), StepProfile(c, request)));
+      columns.push_back(SlotColumn(
+          SlotLayout::ComponentName(k), "m", 1e-4, c.slots().tool(k), StepProfile(c, request)));
     }
     return columns;
   }
@@ -54,8 +53,10 @@ class ToolStepEffect final : public Effect {
                        const std::vector<EffectValue>& values) const override {
     std::string text = fmt::format("the tool slips {}: ", StepWords(request));
     for (int k = 0; k < 3; ++k) {
-      text += fmt::format(
-          "{}{} {}", k > 0 ? ", " : "", kNames[k], Quantity(Find(values, kNames[k]), 1e-3, "mm"));
+      text += fmt::format("{}{} {}",
+                          k > 0 ? ", " : "",
+                          SlotLayout::ComponentName(k),
+                          Quantity(Find(values, SlotLayout::ComponentName(k)), 1e-3, "mm"));
     }
     return text;
   }

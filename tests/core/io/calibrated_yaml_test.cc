@@ -58,7 +58,7 @@ simulate:
   noise_mm: 0.1
 )";
 
-ProblemSpec ReadText(const TempFolder& folder, const std::string& name, const std::string& text) {
+ProblemSpec ReadFrom(const TempFolder& folder, const std::string& name, const std::string& text) {
   WriteFile(folder / name, text);
   Diagnostics diagnostics;
   std::optional<ProblemSpec> spec = ReadProblemFile(folder / name, "", &diagnostics);
@@ -116,11 +116,11 @@ void ExpectSameRobot(const RobotModel& a, const RobotModel& b) {
 TEST(CalibratedYaml, ReadsBackAsTheCalibratedRobot) {
   const TempFolder folder;
   Rng rng(7);
-  const ProblemSpec spec = ReadText(folder, "problem.yaml", kProblem);
+  const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kProblem);
   for (int i = 0; i < 50; ++i) {
     const RobotModel robot = Perturbed(spec.robot, &rng);
     const std::string text = CalibratedYaml(spec, robot, "../data/day.csv");
-    const ProblemSpec read = ReadText(folder, "calibrated.yaml", text);
+    const ProblemSpec read = ReadFrom(folder, "calibrated.yaml", text);
     ExpectSameRobot(robot, read.robot);
     EXPECT_TRUE(read.robot.base_per_run);
     ASSERT_EQ(read.robot.base_of_run.size(), 1u);
@@ -131,9 +131,9 @@ TEST(CalibratedYaml, ReadsBackAsTheCalibratedRobot) {
 
 TEST(CalibratedYaml, KeepsEverythingElse) {
   const TempFolder folder;
-  const ProblemSpec spec = ReadText(folder, "problem.yaml", kProblem);
+  const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kProblem);
   const std::string text = CalibratedYaml(spec, spec.robot, "recording.csv");
-  const ProblemSpec read = ReadText(folder, "calibrated.yaml", text);
+  const ProblemSpec read = ReadFrom(folder, "calibrated.yaml", text);
   EXPECT_EQ(read.name, "cell 7");
   EXPECT_EQ(read.measurement.sigma, spec.measurement.sigma);
   EXPECT_EQ(read.parameters.estimate, spec.parameters.estimate);
@@ -146,7 +146,7 @@ TEST(CalibratedYaml, KeepsEverythingElse) {
 
 TEST(CalibratedYaml, WritesUnitsAtEachNumberAndNoneElsewhere) {
   const TempFolder folder;
-  const ProblemSpec spec = ReadText(folder, "problem.yaml", kProblem);
+  const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kProblem);
   const std::string text = CalibratedYaml(spec, spec.robot, "recording.csv");
   EXPECT_THAT(text, StartsWith("# Made by ceres_dhcal from problem.yaml:"));
   EXPECT_THAT(text,
@@ -158,10 +158,10 @@ TEST(CalibratedYaml, WritesUnitsAtEachNumberAndNoneElsewhere) {
 TEST(CalibratedYaml, ReplacesTargetsAndTheSimulation) {
   const TempFolder folder;
   Rng rng(8);
-  const ProblemSpec spec = ReadText(folder, "problem.yaml", kTargets);
+  const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kTargets);
   const RobotModel robot = Perturbed(spec.robot, &rng);
   const std::string text = CalibratedYaml(spec, robot, "recording.csv");
-  const ProblemSpec read = ReadText(folder, "calibrated.yaml", text);
+  const ProblemSpec read = ReadFrom(folder, "calibrated.yaml", text);
   EXPECT_FALSE(read.simulate.has_value());
   EXPECT_EQ(read.recording, folder / "recording.csv");
   ASSERT_EQ(read.robot.targets.size(), 2u);
@@ -173,18 +173,18 @@ TEST(CalibratedYaml, ReplacesTargetsAndTheSimulation) {
 
 TEST(CalibratedYaml, KeepsRotationsAtAndNearGimbalLock) {
   const TempFolder folder;
-  const ProblemSpec spec = ReadText(folder, "problem.yaml", kProblem);
+  const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kProblem);
   for (const double off : {0.0, 1e-13, 1e-10, 1e-7, 1e-4}) {
     RobotModel robot = spec.robot;
     robot.X_WB.linear() = RotationFromRpy({0.3, kPi / 2, -0.4}) * ExpSO3<double>({off, -off, off});
     const std::string text = CalibratedYaml(spec, robot, "recording.csv");
-    ExpectSamePose(ReadText(folder, "calibrated.yaml", text).robot.X_WB, robot.X_WB, 1e-12);
+    ExpectSamePose(ReadFrom(folder, "calibrated.yaml", text).robot.X_WB, robot.X_WB, 1e-12);
   }
 }
 
 TEST(CalibratedYaml, DoesNotSpreadAChangeThroughYamlAliases) {
   const TempFolder folder;
-  const ProblemSpec spec = ReadText(folder, "problem.yaml", R"(schema: 1
+  const ProblemSpec spec = ReadFrom(folder, "problem.yaml", R"(schema: 1
 name: aliases
 robot:
   joints:
@@ -197,14 +197,14 @@ recording: day.csv
   RobotModel robot = spec.robot;
   robot.X_TQ.translation().z() = 0.25;
   const std::string text = CalibratedYaml(spec, robot, "day.csv");
-  const ProblemSpec read = ReadText(folder, "calibrated.yaml", text);
+  const ProblemSpec read = ReadFrom(folder, "calibrated.yaml", text);
   ExpectSamePose(read.robot.X_WB, robot.X_WB);
   ExpectSamePose(read.robot.X_TQ, robot.X_TQ);
 }
 
 TEST(CalibratedYaml, RefusesAFileThatHasChanged) {
   const TempFolder folder;
-  const ProblemSpec spec = ReadText(folder, "problem.yaml", kProblem);
+  const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kProblem);
   WriteFile(folder / "problem.yaml", kTargets);
   EXPECT_THROW(CalibratedYaml(spec, spec.robot, "x.csv"), std::runtime_error);
   std::filesystem::remove(folder / "problem.yaml");
@@ -213,7 +213,7 @@ TEST(CalibratedYaml, RefusesAFileThatHasChanged) {
 
 TEST(CalibratedYaml, IsTheSameUnderACommaDecimalLocale) {
   const TempFolder folder;
-  const ProblemSpec spec = ReadText(folder, "problem.yaml", kProblem);
+  const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kProblem);
   const std::string expected = CalibratedYaml(spec, spec.robot, "x.csv");
   const CommaLocale locale;
   EXPECT_EQ(CalibratedYaml(spec, spec.robot, "x.csv"), expected);

@@ -24,7 +24,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::UnorderedElementsAre;
 
-constexpr char kProblem[] = R"(schema: 1
+constexpr char kOwnProblem[] = R"(schema: 1
 name: kr15
 robot:
   joints: [{d_m: 1}, {d_m: 2}, {d_m: 3}, {d_m: 4}, {d_m: 5}, {d_m: 6}]
@@ -38,7 +38,7 @@ class ResultFolderTest : public testing::Test {
   ResultFolderTest() : spec_(ExampleSpec()), result_(ExampleResult()) {
     spec_.file = folder_ / "problem.yaml";
     spec_.recording = folder_ / "data.csv";
-    WriteFile(spec_.file, kProblem);
+    WriteFile(spec_.file, kOwnProblem);
     WriteFile(spec_.recording, "the recording");
   }
 

@@ -25,16 +25,16 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Jet = ceres::Jet<double, 1>;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 /// The product's pose, its outputs not-a-number beforehand.
 PoseWithDerivatives Evaluate(const RobotModel& robot, const VectorXd& q, const VectorXd& delta) {
   const DhChain chain(robot);
   PoseWithDerivatives pose;
-  pose.p_WQ.setConstant(kNaN);
-  pose.R_WQ.setConstant(kNaN);
-  pose.J_p.setConstant(3, delta.size(), kNaN);
-  pose.J_w.setConstant(3, delta.size(), kNaN);
+  pose.p_WQ.setConstant(kNotANumber);
+  pose.R_WQ.setConstant(kNotANumber);
+  pose.J_p.setConstant(3, delta.size(), kNotANumber);
+  pose.J_w.setConstant(3, delta.size(), kNotANumber);
   chain.PoseAndDerivatives(q, delta, {robot.X_WB, robot.X_TQ}, &pose);
   return pose;
 }
