@@ -212,6 +212,21 @@ BlockScore BlockTests::Score(const BlockModel& model, int block) const {
   return ScoreOf(Condition(model, {block}), block);
 }
 
+std::vector<double> BlockTests::Chances(const BlockModel& model,
+                                        const std::vector<int>& blocks,
+                                        int together) const {
+  const Conditioned c = Condition(model, blocks);
+  std::vector<double> chances;
+  for (const int block : blocks) {
+    const BlockScore score = ScoreOf(c, block);
+    const double rest = c.nu / together - score.k;
+    const bool tells = score.k > 0 && rest >= 1;
+    const double noise = std::max(c.rss - score.Q, 1e-300) / rest;
+    chances.push_back(tells ? FTail(score.Q / score.k / noise, score.k, rest) : 1);
+  }
+  return chances;
+}
+
 ModelTest BlockTests::Test(const BlockModel& model, double level, const VectorXd& excused) const {
   const Conditioned c = Condition(model);
   ModelTest test;

@@ -78,6 +78,13 @@ class BlockTests {
   std::vector<BlockScore> Scores(const BlockModel& model, const std::vector<int>& blocks) const;
   BlockScore Score(const BlockModel& model, int block) const;
 
+  /// Of each block, the probability that it removes as many squares as it does beside the model
+  /// where all that the two leave is noise of unknown size (F test), whether or not sigma is known;
+  /// `together` rows that follow each other err as one.
+  std::vector<double> Chances(const BlockModel& model,
+                              const std::vector<int>& blocks,
+                              int together) const;
+
   /// Tests the model at a level. The law of the maximum hardly depends on the model, so draws under
   /// the model itself are made only where the geometry's draws do not decide. Blocks of `excused`
   /// (index -> largest Q that is immaterial) below their limit do not count.

@@ -112,7 +112,7 @@ std::vector<int> Moves::OrALine(const std::vector<int>& members, const std::vect
 std::vector<int> Moves::WithCurves(std::vector<int> members) {
   std::map<int, int> lines;
   for (const int k : members) {
-    if (at(k).request.setting("order", 0) >= kLowestOrder) ++lines[at(k).request.joint];
+    if (IsScannedLine(at(k).request)) ++lines[at(k).request.joint];
   }
   for (const auto& [joint, count] : lines) {
     if (count < kLinesOfACurve) continue;

@@ -9,6 +9,7 @@
 #include "core/physics/registry.h"
 #include "problems/diagnosis/moves.h"
 #include "problems/diagnosis/set_tester.h"
+#include "problems/diagnosis/spectrum.h"
 
 namespace dhcal {
 namespace {
@@ -16,6 +17,7 @@ namespace {
 constexpr int kMostAnonymous = 8;
 constexpr std::size_t kMostExchanged = 4;  // members whose alternatives are all tested
 constexpr double kBetterPart = 0.5;
+constexpr int kLinesOfAShape = 4;
 
 bool IsTorque(const std::string& driver) { return driver.find("torque") != std::string::npos; }
 
@@ -97,7 +99,8 @@ class Searcher {
   }
 
   /// Two or more names that are functions of one joint's own angle, where one curve of that angle
-  /// does as well: the joint is right, the names are not known.
+  /// does as well, or many lines of low orders, the Fourier series of some shape such as a damaged
+  /// tooth's: the joint is right, the names are not known.
   void DropCurves(std::vector<int>* members, SearchOutcome* out) const {
     for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
       const Hypothesis& h = at(k);
@@ -109,9 +112,13 @@ class Searcher {
                          at(m).place.driver == "joint angle";
         (own ? curves : kept).push_back(m);
       }
-      if (moves_.CountEffects(curves) < 2) continue;
+      const auto low_lines = std::count_if(curves.begin(), curves.end(), [&](int m) {
+        return at(m).request.effect == kLineEffect && tester_.InCurve(m);
+      });
+      const bool series = low_lines >= kLinesOfAShape;
+      if (!series && (!out->complete || moves_.CountEffects(curves) < 2)) continue;
       const TestedSet set = tester_.Try(With(kept, k), /*rescan=*/false);
-      if (!set.kept) continue;
+      if (!series && !set.kept) continue;
       *members = kept;
       out->anonymous.push_back(k);
       out->complete = false;
@@ -157,7 +164,7 @@ class Searcher {
     if (members.size() > kMostExchanged) members = tester_.Polished(members);
     if (!out->complete) TryExtended(&members, out);
     if (out->complete) members = Needed(members, out);
-    if (out->complete) DropCurves(&members, out);
+    DropCurves(&members, out);
     out->accepted = members;
     if (members.empty()) return;
     out->tested.push_back({members, out->p_accepted, out->complete});
@@ -199,9 +206,37 @@ class Searcher {
     }
   }
 
+  /// Probability that the order scan's or the names' strongest has a p this small by chance.
+  double AmongAll(double p, int name) const {
+    if (IsScannedLine(at(name).request)) return ScanProbability(p, ScanWidth(space_->context()));
+    return std::min(1.0, p * static_cast<double>(tester_.names().size()));
+  }
+
+  /// The members that chance does not explain, the surest first. Of thousands of orders and
+  /// instants some always resemble, on few poses, a strong cause that has no name: where something
+  /// stays unexplained it is the noise that a name must stand out from, one pose one draw of it.
+  std::vector<int> BeyondChance(std::vector<int> members) const {
+    const int coordinates = space_->rows().coordinates();
+    std::vector<int> sure;
+    while (!members.empty()) {
+      std::vector<double> chances =
+          tester_.tests().Chances(tester_.Model(sure), members, coordinates);
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        chances[i] = AmongAll(chances[i], members[i]);
+      }
+      const auto least = std::min_element(chances.begin(), chances.end());
+      if (*least > options_.false_alarm) break;
+      const auto i = static_cast<std::size_t>(least - chances.begin());
+      sure.push_back(members[i]);
+      members = Without(members, i);
+    }
+    return sure;
+  }
+
   /// Anonymous blocks that describe what the names leave.
   void DescribeRest(SearchOutcome* out) const {
     const BlockTests& tests = tester_.tests();
+    if (!out->complete) out->accepted = BeyondChance(out->accepted);
     BlockModel model = tester_.Model(out->accepted);
     out->removed_by_names = tests.Removed(model);
     out->removed_by_all = out->removed_by_names;

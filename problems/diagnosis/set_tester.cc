@@ -158,7 +158,7 @@ int SetTester::Known(const EffectRequest& request) {
     return -1;
   }
   const int k = space_->AddEffect(request, /*in_maximum=*/false);
-  if (request.setting("order", 0) >= kLowestOrder) lines_.push_back(k);
+  if (IsScannedLine(request)) lines_.push_back(k);
   return k;
 }
 
@@ -175,8 +175,9 @@ int SetTester::Curve(int joint) {
   return curve;
 }
 
-bool SetTester::InCurve(const EffectRequest& request, const std::string& driver) const {
-  return driver == "joint angle" && request.setting("order", 1) < kHighestInCurve;
+bool SetTester::InCurve(int hypothesis) const {
+  const Hypothesis& h = at(hypothesis);
+  return h.place.driver == "joint angle" && h.request.setting("order", 1) < kHighestInCurve;
 }
 
 bool SetTester::AddPeaks(const std::vector<SpectralPeak>& peaks, const std::vector<int>& members) {
@@ -241,7 +242,7 @@ std::vector<int> SetTester::Polished(std::vector<int> members) {
     bool moved = false;
     for (std::size_t i = 0; i < members.size(); ++i) {
       EffectRequest request = at(members[i]).request;
-      const bool is_line = request.setting("order", 0) >= kLowestOrder;
+      const bool is_line = IsScannedLine(request);
       if (!is_line && !HasScannedSetting(request)) continue;
       std::vector<int> others = members;
       others.erase(others.begin() + static_cast<long>(i));
@@ -344,10 +345,7 @@ bool SetTester::Conflicts(int k, const std::vector<int>& members) const {
     if (m == k) return true;
     const EffectRequest& other = at(m).request;
     const bool a_curve = at(k).is_curve() || at(m).is_curve();
-    if (a_curve && mine.joint == other.joint && InCurve(mine, at(k).place.driver) &&
-        InCurve(other, at(m).place.driver)) {
-      return true;
-    }
+    if (a_curve && mine.joint == other.joint && InCurve(k) && InCurve(m)) return true;
     if (other.effect != mine.effect || other.joint != mine.joint) continue;
     if (mine.effect == "joint_coupling") {
       if (other.SameAs(mine)) return true;

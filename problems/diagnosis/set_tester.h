@@ -49,6 +49,9 @@ class SetTester {
   /// setting, but for several gear orders or driving joints.
   bool Conflicts(int hypothesis, const std::vector<int>& members) const;
 
+  /// True for a line or other function of its joint's own angle that the joint's error curve holds.
+  bool InCurve(int hypothesis) const;
+
   /// Highest peak of each joint beside the members.
   std::vector<SpectralPeak> Scan(const std::vector<int>& members) const;
   static double LeastScan(const std::vector<SpectralPeak>& peaks);
@@ -76,8 +79,6 @@ class SetTester {
   /// Orthonormal basis of the members' columns beside the geometry, kept from one call to the next:
   /// a search asks for one that grows.
   const Eigen::MatrixXd& Basis(const std::vector<int>& members) const;
-  /// True for a line or other function of its joint's own angle that the joint's error curve holds.
-  bool InCurve(const EffectRequest& request, const std::string& driver) const;
   /// Probability of the highest of the spectrum's known lines beside a model, for the whole scan.
   double LinesLeft(const BlockModel& model) const;
 

@@ -182,6 +182,10 @@ bool IsScanned(const PhysicsContext& c, int joint) {
 
 }  // namespace
 
+bool IsScannedLine(const EffectRequest& request) {
+  return request.effect == kLineEffect && request.setting("order", 0) >= kLowestOrder;
+}
+
 double ScanWidth(const PhysicsContext& c) {
   double width = 0;
   for (int joint = 0; joint < c.num_joints(); ++joint) {

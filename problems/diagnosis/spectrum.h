@@ -21,6 +21,9 @@ constexpr double kLowestOrder = 8;
 /// The effect that a line of the spectrum is.
 constexpr char kLineEffect[] = "gear_harmonic";
 
+/// True for a line that a scan found, or may have.
+bool IsScannedLine(const EffectRequest& request);
+
 struct SpectralPeak {
   int joint = -1;     // from 0
   double order = 0;   // per turn of the joint

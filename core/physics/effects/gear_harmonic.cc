@@ -51,7 +51,7 @@ class GearHarmonicEffect final : public Effect {
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
     std::vector<EffectRequest> requests;
-    for (const double order : {1.0, 2.0}) {
+    for (const double order : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0}) {
       for (EffectRequest request : EveryJoint(c, "gear_harmonic")) {
         request.settings["order"] = order;
         requests.push_back(request);

@@ -74,6 +74,24 @@ TEST(BlockTests, ScoreIsTheDropOfSquaresOfAPlainFit) {
   EXPECT_NEAR(tests.Removed(model), Rss(setup, y, {}) - Rss(setup, y, {0, 1, 7}), 1e-9);
 }
 
+TEST(BlockTests, ChanceTakesWhatIsLeftAsNoiseWhateverSigmaIs) {
+  const System setup(3);
+  // Block 2 in noise of fifty times the stated size, beside block 1.
+  const Eigen::VectorXd y = 50 * Noise(4) + setup.X.col(4) * 20;
+  const double without = Rss(setup, y, {2, 3}), with = Rss(setup, y, {2, 3, 4, 5});
+  const BlockTests tests = setup.Tests(y, /*sigma_known=*/true);
+  BlockModel model;
+  model.columns = {2, 3};
+  for (const int together : {1, 3}) {
+    const double rest = static_cast<double>(kRows - kGeometry - 2) / together - 2;
+    const double F = (without - with) / 2 / (with / rest);
+    const std::vector<double> chances = tests.Chances(model, {5, 2}, together);
+    EXPECT_NEAR(chances[1], FTail(F, 2, rest), 1e-9) << together;
+    EXPECT_GT(chances[0], 1e-3);
+  }
+  EXPECT_LT(tests.Score(model, 2).p, 1e-20);
+}
+
 TEST(BlockTests, EstimateIsThatOfAPlainFit) {
   const System setup(3);
   const Eigen::VectorXd y = Noise(4);

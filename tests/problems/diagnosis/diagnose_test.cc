@@ -115,6 +115,17 @@ TEST(Diagnose, FindsAMeshOrderThatItWasNotTold) {
   EXPECT_NEAR(d.findings[0].effect.setting("order", 0), 125, 0.15);
 }
 
+TEST(Diagnose, FindsALowOrderThatIsNeitherOnceNorTwicePerTurn) {
+  const Draw draw =
+      MakeDraw(With(Request("gear_harmonic", 2, {{"cos_5", 1e-4}}, {{"order", 5}})), 5);
+  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  ASSERT_EQ(d.findings.size(), 1) << d.summary;
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::kExplained);
+  EXPECT_EQ(d.findings[0].effect.effect, "gear_harmonic");
+  EXPECT_EQ(d.findings[0].effect.joint, 2);
+  EXPECT_EQ(d.findings[0].effect.setting("order", 0), 5);
+}
+
 TEST(Diagnose, AMissingTiltIsNamedAsGeometry) {
   Scenario tilted;
   tilted.truth.resize(1);
