@@ -127,6 +127,14 @@ RobotModel ScaraModified() {
   return robot;
 }
 
+std::vector<JointRow> JointsOf(const std::string& letters) {
+  std::vector<JointRow> joints(letters.size());
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    joints[i].type = letters[i] == 'R' ? JointType::kRevolute : JointType::kPrismatic;
+  }
+  return joints;
+}
+
 RobotModel WithPlainEnds(RobotModel robot) {
   robot.X_WB.setIdentity();
   robot.X_TQ.setIdentity();

@@ -23,6 +23,9 @@ RobotModel Panda();         // Franka Emika Panda, seven joints, modified rows a
 RobotModel Scara();  // two turning joints, a sliding one, a wrist; signs -1 and a Hayati beta
 RobotModel ScaraModified();  // those rows read as modified ones
 
+/// Rows of nothing but their joint's type: 'R' turns, 'P' slides.
+std::vector<JointRow> JointsOf(const std::string& letters);
+
 /// Base and tool at the identity.
 RobotModel WithPlainEnds(RobotModel robot);
 

@@ -20,6 +20,7 @@
 #include "core/io/problem_checks.h"
 #include "core/io/problem_reader.h"
 #include "core/io/recording_reader.h"
+#include "tests/support/robots.h"
 
 namespace dhcal {
 namespace {
@@ -77,20 +78,12 @@ BrokenFile ReadComments(const std::string& path) {
   return broken;
 }
 
-std::vector<JointRow> Joints(const std::string& letters) {
-  std::vector<JointRow> joints(letters.size());
-  for (std::size_t i = 0; i < letters.size(); ++i) {
-    joints[i].type = letters[i] == 'R' ? JointType::kRevolute : JointType::kPrismatic;
-  }
-  return joints;
-}
-
 /// Reads the file as the program would; true when it was taken without an error.
 bool Accepts(const BrokenFile& broken, Diagnostics* diagnostics) {
   if (fs::path(broken.path).extension() == ".yaml") {
     return ReadProblemFile(broken.path, "", diagnostics).has_value();
   }
-  std::vector<JointRow> joints = Joints(broken.joints);
+  std::vector<JointRow> joints = JointsOf(broken.joints);
   std::optional<ProblemSpec> problem;
   if (!broken.problem.empty()) {
     problem = ReadProblemFile(broken.problem, "", diagnostics);

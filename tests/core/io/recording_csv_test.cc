@@ -39,35 +39,35 @@ Eigen::MatrixXd Random(int rows, int columns, Rng* rng) {
 
 /// Every column that a recording can have.
 Recording FullRecording() {
-  constexpr int kRows = 40;
+  constexpr int kRowsOfAll = 40;
   Rng rng(20240607);
   Recording recording;
-  recording.q = Random(kRows, 2, &rng);
-  recording.p_WQ = Random(kRows, 3, &rng);
+  recording.q = Random(kRowsOfAll, 2, &rng);
+  recording.p_WQ = Random(kRowsOfAll, 3, &rng);
   recording.p_WQ.row(4).setConstant(kNotSet);
-  recording.displacement = Random(kRows, 3, &rng);
+  recording.displacement = Random(kRowsOfAll, 3, &rng);
   recording.displacement.row(0).setConstant(kNotSet);
-  recording.quaternion = Random(kRows, 4, &rng).rowwise().normalized();
-  recording.distance = Random(kRows, 1, &rng).cwiseAbs();
-  recording.sigma = Random(kRows, 1, &rng).cwiseAbs();
-  recording.time = Random(kRows, 1, &rng);
-  recording.payload = Random(kRows, 1, &rng).cwiseAbs();
-  recording.temperature = Random(kRows, 2, &rng);
-  recording.direction = Eigen::MatrixXd::Zero(kRows, 2);
+  recording.quaternion = Random(kRowsOfAll, 4, &rng).rowwise().normalized();
+  recording.distance = Random(kRowsOfAll, 1, &rng).cwiseAbs();
+  recording.sigma = Random(kRowsOfAll, 1, &rng).cwiseAbs();
+  recording.time = Random(kRowsOfAll, 1, &rng);
+  recording.payload = Random(kRowsOfAll, 1, &rng).cwiseAbs();
+  recording.temperature = Random(kRowsOfAll, 2, &rng);
+  recording.direction = Eigen::MatrixXd::Zero(kRowsOfAll, 2);
   recording.direction(3, 0) = -1;
   recording.direction(3, 1) = 1;
-  recording.speed = Random(kRows, 2, &rng);
-  recording.torque = Random(kRows, 2, &rng);
+  recording.speed = Random(kRowsOfAll, 2, &rng);
+  recording.torque = Random(kRowsOfAll, 2, &rng);
   recording.run_names = {"first, with comma", "\"second\""};
   recording.target_names = {"#1", "\u00dcber"};
   recording.anchor_names = {"post"};
-  for (int i = 0; i < kRows; ++i) {
+  for (int i = 0; i < kRowsOfAll; ++i) {
     recording.run_idx.push_back(i < 15 ? 0 : 1);
     recording.target_idx.push_back(i % 2);
     recording.anchor_idx.push_back(i % 3 == 0 ? -1 : 0);
     recording.is_test.push_back(i % 5 == 0);
   }
-  recording.extra = {{"humidity", Random(kRows, 1, &rng)}};
+  recording.extra = {{"humidity", Random(kRowsOfAll, 1, &rng)}};
   return recording;
 }
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
+#include "tests/support/robots.h"
 #include "tests/support/temp_file.h"
 
 namespace dhcal {
@@ -17,17 +18,9 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::vector<JointRow> Joints(const std::string& letters) {
-  std::vector<JointRow> joints(letters.size());
-  for (std::size_t i = 0; i < letters.size(); ++i) {
-    if (letters[i] == 'P') joints[i].type = JointType::kPrismatic;
-  }
-  return joints;
-}
-
 Recording ReadRowsOf(const std::string& path, const std::string& joints, std::string* messages) {
   Diagnostics diagnostics;
-  const std::optional<Recording> recording = ReadRecording(path, Joints(joints), &diagnostics);
+  const std::optional<Recording> recording = ReadRecording(path, JointsOf(joints), &diagnostics);
   *messages = diagnostics.ToString();
   EXPECT_TRUE(recording.has_value()) << *messages;
   return recording.value_or(Recording());
@@ -173,7 +166,7 @@ TEST(RecordingReader, QuotedCellsKeepCommasAndQuotes) {
 
 TEST(RecordingReader, MissingFileIsOneError) {
   Diagnostics diagnostics;
-  EXPECT_EQ(ReadRecording("nowhere.csv", Joints("RR"), &diagnostics), std::nullopt);
+  EXPECT_EQ(ReadRecording("nowhere.csv", JointsOf("RR"), &diagnostics), std::nullopt);
   EXPECT_THAT(diagnostics.ToString(), HasSubstr("nowhere.csv: error: there is no such file"));
 }
 
@@ -181,7 +174,7 @@ TEST(RecordingReader, ReportsTheFirstTwentyErrorsAndCountsTheRest) {
   std::string text = "q1_deg,q2_deg\n";
   for (int i = 0; i < 5000; ++i) text += "x,y\n";
   Diagnostics diagnostics;
-  EXPECT_EQ(ReadRecording(TempFile(text).path(), Joints("RR"), &diagnostics), std::nullopt);
+  EXPECT_EQ(ReadRecording(TempFile(text).path(), JointsOf("RR"), &diagnostics), std::nullopt);
   ASSERT_EQ(diagnostics.num_errors(), 21);
   EXPECT_EQ(diagnostics.all()[19].where.line, 11);
   EXPECT_EQ(diagnostics.all()[20].message, "... and 9980 more errors");
