@@ -14,7 +14,7 @@ namespace dhcal {
 
 /// Orders are scanned up to twice the highest usual gear ratio (161): a wave generator's mesh.
 constexpr double kHighestOrder = 330;
-/// Below, orders 1 and 2 of gear_harmonic are the only lines that are named: a sine of order 2.3,
+/// Below, whole orders of gear_harmonic are the only lines that are named: a sine of order 2.3,
 /// say, imitates any bump of a smooth function, and no gear has it.
 constexpr double kLowestOrder = 8;
 

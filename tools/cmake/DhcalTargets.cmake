@@ -20,12 +20,15 @@ function(dhcal_library target)
     PRIVATE dhcal_warnings)
 endfunction()
 
-# One program per tools/<name>.cc.
+# One program per tools/<name>.cc. Those that no test runs are not part of a sanitizer build.
 function(dhcal_programs)
   file(GLOB mains CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tools/*.cc")
   foreach(main IN LISTS mains)
     cmake_path(GET main STEM name)
     add_executable(${name} "${main}")
     target_link_libraries(${name} PRIVATE dhcal_tools_support dhcal_warnings)
+    if(DHCAL_SANITIZE AND name MATCHES "^dhcal_(study|transfer)$")
+      set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
   endforeach()
 endfunction()

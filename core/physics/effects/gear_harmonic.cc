@@ -2,8 +2,9 @@
 //
 //   d theta_j = A sin(N q_j) + B cos(N q_j)  A, B [rad], N = order (setting)
 //
-// N = 1, 2: output-stage runout, eccentric joint encoder, bearing. High N: gear mesh, wave
-// generator (2 x ratio), motor-side resolver; found by scanning (need not be an integer).
+// N = 1, 2: output-stage runout, eccentric joint encoder, bearing. N = 3 to 7: bolts, planets, a
+// slow intermediate shaft. High N: gear mesh, wave generator (2 x ratio), motor-side resolver;
+// found by scanning (need not be an integer).
 // Typical: 0.1 mrad at N = 1 (RV gears 50-70 arcsec peak to peak), 0.02-0.15 mrad at mesh orders.
 // Source: physics.md G1, G2, G3.
 // Worked number: A = 0.1 mrad, N = 1, q = 30 deg adds 50 urad.
