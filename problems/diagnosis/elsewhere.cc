@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include <Eigen/Cholesky>
@@ -34,6 +35,16 @@ bool DependsOnPoseOnly(const EffectRequest& request) {
   return FindEffect(request.effect)->DependsOnPoseOnly(request);
 }
 
+/// Those that move a slot of their own.
+std::vector<Parameter> OfSlots(const std::vector<Parameter>& parameters) {
+  std::vector<Parameter> of_slots;
+  std::copy_if(
+      parameters.begin(), parameters.end(), std::back_inserter(of_slots), [](const Parameter& p) {
+        return p.effect_column < 0;
+      });
+  return of_slots;
+}
+
 }  // namespace
 
 Recording PosesElsewhere(const Recording& recording, const RobotModel& robot, int count) {
@@ -58,10 +69,10 @@ Elsewhere::Elsewhere(const Calibration& calibration,
     : c_(calibration),
       state_(state),
       space_(space),
-      geometry_(geometry),
-      tolerance_(ScalesOf(geometry).tolerance),
+      geometry_(OfSlots(geometry)),
+      tolerance_(ScalesOf(geometry_).tolerance),
       poses_(PosesElsewhere(calibration.recording, calibration.spec.robot, kUnseenPoses)) {
-  J_ = space.rows().Geometry(geometry) * tolerance_.asDiagonal();
+  J_ = space.rows().Geometry(geometry_) * tolerance_.asDiagonal();
   MatrixXd normal = J_.transpose() * J_;
   normal.diagonal().array() += 1;
   normal_ = normal.llt().solve(MatrixXd::Identity(normal.rows(), normal.cols()));
@@ -106,7 +117,10 @@ MatrixXd Elsewhere::Moves(const EffectRequest& request,
   return moves;
 }
 
-HiddenRisk Elsewhere::Risk(int hypothesis, const MatrixXd& basis, double sigma_scale) const {
+HiddenRisk Elsewhere::Risk(int hypothesis,
+                           const MatrixXd& basis,
+                           const VectorXd& y,
+                           double sigma_scale) const {
   const Hypothesis& h = space_.all()[static_cast<std::size_t>(hypothesis)];
   HiddenRisk risk;
   risk.effect = h.request;
@@ -125,7 +139,6 @@ HiddenRisk Elsewhere::Risk(int hypothesis, const MatrixXd& basis, double sigma_s
   precision.diagonal().array() += 1 / (kTypicalToPrior * kTypicalToPrior);
   const MatrixXd covariance =
       precision.llt().solve(MatrixXd::Identity(precision.rows(), precision.cols()));
-  const VectorXd y = ProjectOff(basis, space_.y());
   const VectorXd size = covariance * (X.transpose() * y) / (sigma_scale * sigma_scale);
   const MatrixXd moves = Moves(h.request, Absorbed(raw), poses_);
   risk.risk = 0;

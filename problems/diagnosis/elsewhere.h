@@ -16,14 +16,19 @@ Recording PosesElsewhere(const Recording& recording, const RobotModel& robot, in
 
 class Elsewhere {
  public:
-  /// `J`: whitened geometry columns of the fitted rows; `tolerance` of the parameters.
+  /// The first three must outlive this. `geometry`: parameters that may take up a part of an
+  /// effect; effects that the problem file switches on stay as they are.
   Elsewhere(const Calibration& calibration,
             const Eigen::VectorXd& state,
             const HypothesisSpace& space,
             const std::vector<Parameter>& geometry);
 
-  /// Visibility, limit and risk of a named hypothesis beside the basis of what is accepted.
-  HiddenRisk Risk(int hypothesis, const Eigen::MatrixXd& basis, double sigma_scale) const;
+  /// Visibility, limit and risk of a named hypothesis beside the basis of what is accepted; `y`:
+  /// the rows projected off that. May run on several threads at once.
+  HiddenRisk Risk(int hypothesis,
+                  const Eigen::MatrixXd& basis,
+                  const Eigen::VectorXd& y,
+                  double sigma_scale) const;
 
   /// Poses at which `one`, as large as it is in the fit, differs most from the best that geometry
   /// and `other` can do with the recorded rows. Largest first, with the difference [m].

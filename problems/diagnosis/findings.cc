@@ -178,15 +178,13 @@ VectorXd Deviations(const CompleteFit& fit) {
 }  // namespace
 
 bool TestRowsSpeakAgainst(const CompleteFit& before, const CompleteFit& after) {
-  const Calibration& c = after.calibration;
-  double gain = 0, moved = 0;
-  for (const Reading& reading : c.readings.test) {
-    const double sigma = c.RowSigma(reading.row_idx, after.fit.noise_seen);
-    const VectorXd old = Compare(before.calibration, before.state(), reading).residual / sigma;
-    const VectorXd now = Compare(c, after.state(), reading).residual / sigma;
-    gain += old.squaredNorm() - now.squaredNorm();
-    moved += (old - now).squaredNorm();
-  }
+  const auto rows_of = [&](const CompleteFit& fit) {
+    return DesignRows(
+        fit.calibration, fit.state(), after.fit.noise_seen, after.calibration.readings.test);
+  };
+  const VectorXd old = rows_of(before).y(), now = rows_of(after).y();
+  const double gain = old.squaredNorm() - now.squaredNorm();
+  const double moved = (old - now).squaredNorm();
   return gain < 0 && gain < moved - kTestSigmas * 2 * std::sqrt(moved);
 }
 

@@ -1,9 +1,7 @@
 #include "problems/diagnosis/hypotheses.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include <Eigen/QR>
 #include <fmt/format.h>
 #include <glog/logging.h>
 

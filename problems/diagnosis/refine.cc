@@ -9,6 +9,7 @@
 #include <boost/math/tools/minima.hpp>
 
 #include "core/base/units.h"
+#include "problems/diagnosis/spectrum.h"
 
 namespace dhcal {
 namespace {
@@ -102,7 +103,7 @@ double RefineOrder(const HypothesisSpace& space,
     return -space.Removes(tried, extra);
   };
   return boost::math::tools::brent_find_minima(
-             lost, std::max(order - half, 0.1), order + half, kBits)
+             lost, std::max(order - half, kLowestOrder), order + half, kBits)
       .first;
 }
 

@@ -11,13 +11,12 @@
 
 #include <fmt/format.h>
 
-#include "core/base/units.h"
 #include "core/math/statistics.h"
 #include "core/physics/registry.h"
 #include "problems/diagnosis/complete_fit.h"
+#include "problems/diagnosis/design_rows.h"
 #include "problems/diagnosis/findings.h"
 #include "problems/noise.h"
-#include "problems/prediction.h"
 
 namespace dhcal {
 namespace {
@@ -25,12 +24,6 @@ namespace {
 constexpr double kClearGain = 10;     // of BIC, for a freer shape
 constexpr double kMaterial = 0.09;    // variance above the noise: less than 0.3 of its deviation
 constexpr double kAboveNoise = 1e-3;  // probability of the rest by noise alone
-
-/// Squares of the fitted coordinates [m^2].
-double Squares(const CompleteFit& fit, const std::vector<Reading>& fitted) {
-  const double rms = Statistics(fit.calibration, fit.state(), fitted).rms;
-  return rms * rms * static_cast<double>(fitted.size());
-}
 
 class Refit {
  public:
@@ -46,11 +39,10 @@ class Refit {
   /// Frees the shapes that the readings ask to be freed; each is asked once.
   std::unique_ptr<CompleteFit> Freed(std::unique_ptr<CompleteFit> fit,
                                      std::vector<EffectRequest>* shapes) {
-    const PhysicsContext context = fit->calibration.Context();
     for (std::size_t i = 0; i < shapes->size(); ++i) {
       const EffectRequest& shape = (*shapes)[i];
       const std::optional<EffectRequest> freer =
-          FindEffect(shape.effect)->WithFreeShape(context, shape);
+          FindEffect(shape.effect)->WithFreeShape(fit->calibration.Context(), shape);
       const bool known = SourceOfNoise(fit->calibration).all_given();
       if (!freer || (known && !IsAboveNoise(*fit))) continue;
       if (!asked_.insert(InstanceName(shape)).second) continue;
@@ -58,11 +50,13 @@ class Refit {
       tried[i] = *freer;
       auto fit_freer = With(tried, fit.get());
       if (!fit_freer->usable()) continue;
-      const auto n = static_cast<double>(fitted_.size()) *
-                     NumCoordinates(fit->calibration.spec.measurement.kind);
+      const Noise& noise = fit->fit.noise_seen;
+      const DesignRows rows = RowsOf(*fit, noise);
+      const auto n = static_cast<double>(rows.degrees_of_freedom());
       const auto more = static_cast<double>(fit_freer->calibration.parameters.size() -
                                             fit->calibration.parameters.size());
-      const double gain = n * std::log(Squares(*fit, fitted_) / Squares(*fit_freer, fitted_));
+      const double gain =
+          n * std::log(rows.y().squaredNorm() / RowsOf(*fit_freer, noise).y().squaredNorm());
       if (gain < more * std::log(n) + kClearGain) continue;
       *shapes = tried;
       fit = std::move(fit_freer);
@@ -74,19 +68,20 @@ class Refit {
   bool IsAboveNoise(const CompleteFit& fit) const {
     const Calibration& c = fit.calibration;
     if (!SourceOfNoise(c).all_given()) return false;
-    double squares = 0, count = 0;
-    for (const Reading& reading : fitted_) {
-      const double sigma = c.RowSigma(reading.row_idx, fit.fit.noise_seen);
-      const Eigen::VectorXd left = Compare(c, fit.state(), reading).residual / sigma;
-      squares += left.squaredNorm();
-      count += static_cast<double>(left.size());
-    }
+    const DesignRows rows = RowsOf(fit, fit.fit.noise_seen);
+    const double squares = rows.y().squaredNorm();
+    const auto count = static_cast<double>(rows.degrees_of_freedom());
     const double dof = count - static_cast<double>(c.parameters.size());
     return dof > 0 && squares > (1 + kMaterial) * count &&
            ChiSquareTail(squares, dof) < kAboveNoise;
   }
 
  private:
+  /// What a fit leaves of the fitted rows, in units of a noise.
+  DesignRows RowsOf(const CompleteFit& fit, const Noise& noise) const {
+    return DesignRows(fit.calibration, fit.state(), noise, fitted_);
+  }
+
   const ProblemSpec& spec_;
   const Recording& recording_;
   const std::vector<Reading>& fitted_;

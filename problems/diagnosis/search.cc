@@ -1,12 +1,11 @@
 #include "problems/diagnosis/search.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iostream>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <utility>
 
-#include "core/physics/registry.h"
 #include "problems/diagnosis/moves.h"
 #include "problems/diagnosis/set_tester.h"
 #include "problems/diagnosis/spectrum.h"
@@ -112,13 +111,18 @@ class Searcher {
                          at(m).place.driver == "joint angle";
         (own ? curves : kept).push_back(m);
       }
-      const auto low_lines = std::count_if(curves.begin(), curves.end(), [&](int m) {
+      const auto low_line = [&](int m) {
         return at(m).request.effect == kLineEffect && tester_.InCurve(m);
-      });
-      const bool series = low_lines >= kLinesOfAShape;
+      };
+      const bool series = std::count_if(curves.begin(), curves.end(), low_line) >= kLinesOfAShape;
       if (!series && (!out->complete || moves_.CountEffects(curves) < 2)) continue;
-      const TestedSet set = tester_.Try(With(kept, k), /*rescan=*/false);
+      TestedSet set = tester_.Try(With(kept, k), /*rescan=*/false);
       if (!series && !set.kept) continue;
+      if (!set.kept) {
+        // The curve does not do as well: names that are no part of the series stay.
+        std::copy_if(curves.begin(), curves.end(), std::back_inserter(kept), std::not_fn(low_line));
+        set = tester_.Try(With(kept, k), /*rescan=*/false);
+      }
       *members = kept;
       out->anonymous.push_back(k);
       out->complete = false;

@@ -18,7 +18,7 @@ struct SearchOptions {
   bool sigma_known = false;
   double nu = 0;                     // freedom of the rows beside the geometry
   std::vector<std::string> effects;  // names that may be given; empty = all
-  int max_effects = 12;              // all lines of one joint's gear count as one
+  int max_effects = 12;              // with free masses; lines of one joint's gear count as one
   int draws = 2000;
   std::uint64_t seed = 1;
   std::vector<EffectRequest> start;  // names that an earlier search of the same readings found

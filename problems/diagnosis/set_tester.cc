@@ -96,7 +96,7 @@ std::vector<SpectralPeak> SetTester::Scan(const std::vector<int>& members) const
   // What wrong masses leave of an effect is no line either.
   std::vector<int> with_shapes = members;
   for (const int k : members) {
-    if (at(k).shape_block >= 0) with_shapes.push_back(at(k).shape_block);
+    if (!shapes_as_stated_ && at(k).shape_block >= 0) with_shapes.push_back(at(k).shape_block);
   }
   const Eigen::MatrixXd& extra = Basis(with_shapes);
   Eigen::MatrixXd basis(space_->y().size(), space_->U().cols() + extra.cols());
@@ -306,7 +306,9 @@ TestedSet SetTester::Try(const std::vector<int>& members, bool rescan) const {
   if (p_lines <= options_.false_alarm * kShareOfScan) return set;
   set.p = Combine(tests_->Test(model, options_.false_alarm, excused).p, p_lines);
   // A new scan costs much; a model that leaves no known line hardly leaves another.
-  if (rescan && set.p > options_.false_alarm) set.p = std::min(set.p, LeastScan(Scan(members)));
+  if (rescan && set.p > options_.false_alarm) {
+    set.p = std::min(set.p, Combine(1, LeastScan(Scan(members))));
+  }
   set.kept = set.p > options_.false_alarm;
   return set;
 }

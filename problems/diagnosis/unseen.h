@@ -15,7 +15,7 @@
 namespace dhcal {
 
 struct Folds {
-  std::string method;       // "set column", "runs left out", "regions left out"
+  std::string method;       // "runs left out", "regions left out"
   std::vector<int> of_row;  // fold of each row of the recording, counted from 0
   int count = 0;
 };

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/physics/registry.h"
 #include "problems/diagnosis/elsewhere.h"
@@ -253,16 +254,23 @@ void AddHidden(const Elsewhere& elsewhere,
                double sigma_scale,
                DiagnosisResult* d) {
   const Eigen::MatrixXd basis = space.BasisOf(out.accepted);
+  const Eigen::VectorXd y = ProjectOff(basis, space.y());
+  std::vector<int> hidden;
   std::set<std::string> seen;
   for (const int k : out.accepted) seen.insert(At(space, k).family);
   for (int k = 0; k < static_cast<int>(space.all().size()); ++k) {
     const Hypothesis& h = At(space, k);
-    if (!h.named || !seen.insert(h.family).second) continue;
-    d->hidden.push_back(elsewhere.Risk(k, basis, sigma_scale));
+    if (h.named && seen.insert(h.family).second) hidden.push_back(k);
   }
+  d->hidden.resize(hidden.size());
+  ParallelFor(static_cast<int>(hidden.size()), [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    d->hidden[at] = elsewhere.Risk(hidden[at], basis, y, sigma_scale);
+  });
   std::sort(d->hidden.begin(), d->hidden.end(), [](const HiddenRisk& a, const HiddenRisk& b) {
-    const double x = std::isnan(a.risk) ? -1 : a.risk, y = std::isnan(b.risk) ? -1 : b.risk;
-    return x > y;
+    const double one = std::isnan(a.risk) ? -1 : a.risk;
+    const double other = std::isnan(b.risk) ? -1 : b.risk;
+    return one > other;
   });
 }
 

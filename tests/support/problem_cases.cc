@@ -6,6 +6,7 @@
 
 #include "core/io/problem_reader.h"
 #include "core/io/recording_reader.h"
+#include "problems/diagnosis/diagnose.h"
 #include "problems/identify.h"
 #include "problems/simulate.h"
 #include "tests/support/files.h"
@@ -40,6 +41,10 @@ Recording RecordingOf(const ProblemSpec& spec) {
 
 Result RunCase(const ProblemSpec& spec) {
   return IdentifyGeometry(spec, RecordingOf(spec), Progress());
+}
+
+DiagnosisResult Diagnosed(const ProblemSpec& spec, const Recording& recording) {
+  return Diagnose(spec, recording, IdentifyGeometry(spec, recording, {}), {});
 }
 
 std::map<std::string, ParameterResult> ByName(const FitResult& fit) {

@@ -20,6 +20,9 @@ Recording RecordingOf(const ProblemSpec& spec);
 /// IdentifyGeometry on them.
 Result RunCase(const ProblemSpec& spec);
 
+/// IdentifyGeometry and Diagnose, whatever the problem says of the diagnosis.
+DiagnosisResult Diagnosed(const ProblemSpec& spec, const Recording& recording);
+
 /// Parameters of a fit by name.
 std::map<std::string, ParameterResult> ByName(const FitResult& fit);
 

@@ -91,7 +91,9 @@ class JointComplianceEffect final : public Effect {
 
   std::optional<EffectRequest> WithFreeShape(const PhysicsContext& c,
                                              const EffectRequest& request) const override {
-    if (c.robot().links.empty() || UsesMeasuredTorque(request)) return std::nullopt;
+    if (c.robot().links.empty() || UsesMeasuredTorque(request) || FreesMasses(request)) {
+      return std::nullopt;
+    }
     EffectRequest freer = request;
     freer.settings["free_masses"] = 1;
     return freer;

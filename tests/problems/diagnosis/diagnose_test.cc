@@ -11,6 +11,7 @@
 #include "core/base/units.h"
 #include "core/physics/registry.h"
 #include "problems/identify.h"
+#include "tests/support/problem_cases.h"
 #include "tests/support/recorder.h"
 #include "tests/support/robots.h"
 #include "tests/support/sanitized.h"
@@ -21,11 +22,6 @@ namespace {
 
 using testing::HasSubstr;
 
-DiagnosisResult DiagnoseDraw(const ProblemSpec& spec, const Recording& recording) {
-  const Result result = IdentifyGeometry(spec, recording, {});
-  return Diagnose(spec, recording, result, {});
-}
-
 Scenario With(const EffectRequest& effect) {
   Scenario scenario;
   scenario.truth = {effect};
@@ -34,7 +30,7 @@ Scenario With(const EffectRequest& effect) {
 
 TEST(Diagnose, CleanDataIsConsistentWithLimitsAndRisks) {
   const Draw draw = MakeDraw(Scenario(), 1);
-  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
   EXPECT_EQ(d.verdict, DiagnosisVerdict::kConsistent);
   EXPECT_TRUE(d.findings.empty());
   EXPECT_GT(d.misfit.p_value, 0.01);
@@ -47,7 +43,7 @@ TEST(Diagnose, CleanDataIsConsistentWithLimitsAndRisks) {
 
 TEST(Diagnose, ScaleIsNeverVisible) {
   const Draw draw = MakeDraw(Scenario(), 2);
-  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
   const auto scale = std::find_if(d.hidden.begin(), d.hidden.end(), [](const HiddenRisk& r) {
     return r.effect.effect == "sensor_scale";
   });
@@ -58,7 +54,7 @@ TEST(Diagnose, ScaleIsNeverVisible) {
 
 TEST(Diagnose, NamesLocatesAndSizesComplianceAndImprovesUnseenRows) {
   const Draw draw = MakeDraw(With(Request("joint_compliance", 2, {{"compliance", 3e-6}})), 1);
-  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
   ASSERT_EQ(d.verdict, DiagnosisVerdict::kExplained) << d.summary;
   ASSERT_EQ(d.findings.size(), 1);
   const Finding& f = d.findings[0];
@@ -80,7 +76,7 @@ TEST(Diagnose, WithoutMassesComplianceIsStillFound) {
   Draw draw = MakeDraw(With(Request("joint_compliance", 2, {{"compliance", 3e-6}})), 3);
   draw.spec.robot.links.clear();
   draw.spec.robot.payload = LinkMass();
-  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
   bool found = false;
   for (const Finding& f : d.findings)
     found = found || f.effect.SameAs([] {
@@ -96,7 +92,7 @@ TEST(Diagnose, ANegativeComplianceIsAnAlarm) {
   EffectRequest reversed = Request("joint_compliance", 2, {{"compliance", 3e-6}});
   reversed.values["compliance"] = -3e-6;
   const Draw draw = MakeDraw(With(reversed), 4);
-  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
   ASSERT_FALSE(d.findings.empty());
   EXPECT_THAT(d.findings[0].cautions, testing::Contains(HasSubstr("negative")));
 }
@@ -108,7 +104,7 @@ TEST(Diagnose, FindsAMeshOrderThatItWasNotTold) {
   line.settings["order"] = 125;
   line.values["sin_125"] = 1e-4;
   const Draw draw = MakeDraw(With(line), 5);
-  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
   ASSERT_EQ(d.findings.size(), 1) << d.summary;
   EXPECT_EQ(d.findings[0].effect.effect, "gear_harmonic");
   EXPECT_EQ(d.findings[0].effect.joint, 3);
@@ -118,7 +114,7 @@ TEST(Diagnose, FindsAMeshOrderThatItWasNotTold) {
 TEST(Diagnose, FindsALowOrderThatIsNeitherOnceNorTwicePerTurn) {
   const Draw draw =
       MakeDraw(With(Request("gear_harmonic", 2, {{"cos_5", 1e-4}}, {{"order", 5}})), 5);
-  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
   ASSERT_EQ(d.findings.size(), 1) << d.summary;
   EXPECT_EQ(d.verdict, DiagnosisVerdict::kExplained);
   EXPECT_EQ(d.findings[0].effect.effect, "gear_harmonic");
@@ -135,7 +131,7 @@ TEST(Diagnose, AMissingTiltIsNamedAsGeometry) {
   const Draw draw = MakeDraw(tilted, 6);
   ProblemSpec spec = draw.spec;
   spec.parameters.estimate = {"theta", "alpha", "a", "d", "base", "tool"};
-  const DiagnosisResult d = DiagnoseDraw(spec, draw.recording);
+  const DiagnosisResult d = Diagnosed(spec, draw.recording);
   EXPECT_EQ(d.verdict, DiagnosisVerdict::kExplained) << d.summary;
   ASSERT_EQ(d.findings.size(), 1);
   EXPECT_EQ(d.findings[0].effect.effect, "axis_tilt");
@@ -150,7 +146,7 @@ TEST(Diagnose, AWrongToolIsNamedAsGeometry) {
   spec.parameters.estimate = {"theta", "alpha", "a", "d", "beta2", "base"};
   spec.parameters.fix = {"a6", "d6"};
   spec.robot.X_TQ.translation().x() += 2e-3;
-  const DiagnosisResult d = DiagnoseDraw(spec, draw.recording);
+  const DiagnosisResult d = Diagnosed(spec, draw.recording);
   ASSERT_EQ(d.findings.size(), 1) << d.summary;
   EXPECT_EQ(d.findings[0].effect.effect, "tool_offset");
   EXPECT_EQ(d.verdict, DiagnosisVerdict::kExplained);
@@ -163,7 +159,7 @@ TEST(Diagnose, SomethingOutsideTheLibraryIsLocatedNotNamed) {
     (*delta)[c.slots().joint(2, JointSlot::kTheta)] += 0.6e-3 * std::exp(-0.5 * x * x);
   };
   const Draw draw = MakeDraw(scenario, 8);
-  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
   EXPECT_EQ(d.verdict, DiagnosisVerdict::kUnexplained) << d.summary;
   ASSERT_TRUE(d.unexplained.has_value());
   EXPECT_EQ(d.unexplained->slot, "theta3");
@@ -190,7 +186,7 @@ TEST(Diagnose, AnUnknownColumnMayBeTheDriver) {
     draw.recording.p_WQ.row(k) += 3e-6 * column.values[k] * pose.J_p.col(0).transpose();
   }
   draw.recording.extra.push_back(column);
-  const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+  const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
   EXPECT_EQ(d.verdict, DiagnosisVerdict::kUnexplained) << d.summary;
   ASSERT_TRUE(d.unexplained.has_value());
   EXPECT_EQ(d.unexplained->driver, "column load_cell");
@@ -202,8 +198,8 @@ TEST(Diagnose, TheOrderOfTheRowsDoesNotMatterWhereNothingDependsOnIt) {
   Recording reversed = draw.recording;
   reversed.q = draw.recording.q.colwise().reverse();
   reversed.p_WQ = draw.recording.p_WQ.colwise().reverse();
-  const DiagnosisResult a = DiagnoseDraw(draw.spec, draw.recording);
-  const DiagnosisResult b = DiagnoseDraw(draw.spec, reversed);
+  const DiagnosisResult a = Diagnosed(draw.spec, draw.recording);
+  const DiagnosisResult b = Diagnosed(draw.spec, reversed);
   EXPECT_EQ(a.verdict, b.verdict);
   ASSERT_EQ(a.findings.size(), b.findings.size());
   EXPECT_NEAR(a.findings[0].parameters[0].value,
@@ -225,7 +221,7 @@ TEST(Diagnose, SeriallyCorrelatedNoiseIsNoDriftAndNoStep) {
       error = 0.6 * error + 0.8 * 0.1e-3 * fresh;
       draw.recording.p_WQ.row(k) += error;
     }
-    const DiagnosisResult d = DiagnoseDraw(draw.spec, draw.recording);
+    const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
     accused += d.verdict == DiagnosisVerdict::kConsistent ? 0 : 1;
   }
   EXPECT_LE(accused, 1);
@@ -310,7 +306,7 @@ TEST_P(OwnData, IsNamedOrListedAndRecoveredWithinItsInterval) {
                                   chain.Pose<double>(q, zero, ends).translation();
     recording.p_WQ.row(k) += moved.transpose();
   }
-  const DiagnosisResult d = DiagnoseDraw(draw.spec, recording);
+  const DiagnosisResult d = Diagnosed(draw.spec, recording);
   EXPECT_TRUE(d.verdict == DiagnosisVerdict::kExplained ||
               d.verdict == DiagnosisVerdict::kAmbiguous)
       << ToString(d.verdict) << ": " << d.summary;

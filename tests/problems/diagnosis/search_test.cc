@@ -11,18 +11,13 @@
 #include "core/io/recording_reader.h"
 #include "problems/concealed/case_files.h"
 #include "problems/concealed/scenarios.h"
-#include "problems/diagnosis/diagnose.h"
-#include "problems/identify.h"
+#include "tests/support/problem_cases.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temp_file.h"
 #include "tools/support/study_scenarios.h"
 
 namespace dhcal {
 namespace {
-
-DiagnosisResult Diagnosed(const ProblemSpec& spec, const Recording& recording) {
-  return Diagnose(spec, recording, IdentifyGeometry(spec, recording, {}), {});
-}
 
 void ExpectLocatedNotNamed(const DiagnosisResult& d, const std::string& slot) {
   EXPECT_EQ(d.verdict, DiagnosisVerdict::kUnexplained) << d.summary;
