@@ -63,9 +63,9 @@ MatrixXd PivotedRoot(const MatrixXd& S, const VectorXd& norm2) {
     const Index rest = size - rank - 1;
     L(rank, rank) = std::sqrt(left(rank, rank));
     L.col(rank).tail(rest) = left.col(rank).tail(rest) / L(rank, rank);
-    left.bottomRightCorner(rest, rest)
-        .selfadjointView<Eigen::Lower>()
-        .rankUpdate(L.col(rank).tail(rest), -1);
+    for (Index k = rank + 1; k < size; ++k) {
+      left.col(k).tail(size - k) -= L(k, rank) * L.col(rank).tail(size - k);
+    }
   }
   const MatrixXd root = L.topLeftCorner(rank, rank)
                             .triangularView<Eigen::Lower>()
