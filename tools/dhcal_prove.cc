@@ -11,12 +11,12 @@
 #include <filesystem>
 #include <iostream>
 #include <sstream>
-#include <thread>
 #include <unistd.h>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
+#include "core/base/parallel.h"
 #include "problems/concealed/scenarios.h"
 #include "tools/support/proof_suite.h"
 #include "tools/support/proof_table.h"
@@ -76,8 +76,7 @@ int Run() {
   options.only = Split(FLAGS_only);
   options.seeds = FLAGS_seeds;
   options.quick = FLAGS_quick;
-  const auto processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  options.jobs = FLAGS_jobs > 0 ? FLAGS_jobs : processors;
+  options.jobs = FLAGS_jobs > 0 ? FLAGS_jobs : NumProcessors();
   if (!std::filesystem::exists(options.program)) {
     std::cerr << fmt::format(
         "dhcal_prove: {} does not exist; build it, or name it with --program\n",

@@ -6,17 +6,16 @@
 // Prints one line per scenario and, per group, the figures that README quotes. With the group null
 // the alarm rates are at 1 % and 5 %; the others run at false_alarm = 0.05.
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <set>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "core/base/parallel.h"
 #include "core/physics/registry.h"
 #include "problems/diagnosis/diagnose.h"
 #include "problems/identify.h"
@@ -125,21 +124,15 @@ Score Judge(const Scenario& scenario, const Draw& draw, const DiagnosisResult& d
   return score;
 }
 
-std::vector<Score> RunScenario(const Scenario& scenario, int draws, int threads) {
+std::vector<Score> RunScenario(const Scenario& scenario, int draws) {
   std::vector<Score> scores(static_cast<std::size_t>(draws));
-  std::atomic<int> next{0};
-  const auto work = [&] {
-    for (int k = next++; k < draws; k = next++) {
-      Draw draw = MakeDraw(scenario, static_cast<std::uint64_t>(k) + 1);
-      draw.spec.diagnosis.false_alarm = 0.05;
-      const Result result = IdentifyGeometry(draw.spec, draw.recording, {});
-      const DiagnosisResult d = Diagnose(draw.spec, draw.recording, result, {});
-      scores[static_cast<std::size_t>(k)] = Judge(scenario, draw, d);
-    }
-  };
-  std::vector<std::thread> pool;
-  for (int k = 0; k < threads; ++k) pool.emplace_back(work);
-  for (std::thread& thread : pool) thread.join();
+  ParallelFor(draws, [&](int k) {
+    Draw draw = MakeDraw(scenario, static_cast<std::uint64_t>(k) + 1);
+    draw.spec.diagnosis.false_alarm = 0.05;
+    const Result result = IdentifyGeometry(draw.spec, draw.recording, {});
+    const DiagnosisResult d = Diagnose(draw.spec, draw.recording, result, {});
+    scores[static_cast<std::size_t>(k)] = Judge(scenario, draw, d);
+  });
   return scores;
 }
 
@@ -200,7 +193,6 @@ constexpr char kUsage[] =
     "[verbose]\n";
 
 int Run(const std::string& group, int draws, bool verbose) {
-  const int threads = std::max(1u, std::thread::hardware_concurrency());
   std::vector<Score> detectable;
   bool any = false;
   for (const Scenario& scenario : AllScenarios()) {
@@ -208,7 +200,7 @@ int Run(const std::string& group, int draws, bool verbose) {
         group == "all" || scenario.group == group || scenario.name.find(group) != std::string::npos;
     if (!wanted) continue;
     any = true;
-    const std::vector<Score> scores = RunScenario(scenario, draws, threads);
+    const std::vector<Score> scores = RunScenario(scenario, draws);
     std::cout << Line(scenario, scores) << std::endl;
     if (verbose) {
       for (std::size_t k = 0; k < scores.size(); ++k) {

@@ -88,6 +88,12 @@ void BlockTests::Simulate() const {
   for (double& value : draws_soft_.reshaped()) value = rng.Normal();
 }
 
+std::vector<int> BlockTests::AllBlocks() const {
+  std::vector<int> all(blocks_.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
 std::vector<int> BlockTests::Columns(int block) const {
   const ColumnRange& range = blocks_[static_cast<std::size_t>(block)];
   std::vector<int> columns;
@@ -116,9 +122,7 @@ BlockTests::Root BlockTests::RootOf(const BlockModel& model) const {
 }
 
 BlockTests::Conditioned BlockTests::Condition(const BlockModel& model) const {
-  std::vector<int> all(blocks_.size());
-  std::iota(all.begin(), all.end(), 0);
-  return Condition(model, all);
+  return Condition(model, AllBlocks());
 }
 
 BlockTests::Conditioned BlockTests::Condition(const BlockModel& model,
@@ -184,20 +188,13 @@ BlockScore BlockTests::ScoreOf(const Conditioned& c, int block) const {
   const ColumnRange& range = blocks_[static_cast<std::size_t>(block)];
   score.Q = (factor.transpose() * c.z.segment(range.first, range.size)).squaredNorm();
   score.z = NormalScore(score.Q, score.k, c.rss, c.nu);
-  const double rest = c.nu - score.k;
-  if (gram_.sigma_known) {
-    score.p = ChiSquareTail(score.Q, score.k);
-  } else if (rest >= 1) {
-    const double noise = std::max(c.rss - score.Q, 1e-300) / rest;
-    score.p = FTail(score.Q / score.k / noise, score.k, rest);
-  }
+  score.p = gram_.sigma_known ? ChiSquareTail(score.Q, score.k)
+                              : RemovalTail(score.Q, score.k, c.rss, c.nu);
   return score;
 }
 
 std::vector<BlockScore> BlockTests::Scores(const BlockModel& model) const {
-  std::vector<int> all(blocks_.size());
-  std::iota(all.begin(), all.end(), 0);
-  return Scores(model, all);
+  return Scores(model, AllBlocks());
 }
 
 std::vector<BlockScore> BlockTests::Scores(const BlockModel& model,
@@ -219,10 +216,7 @@ std::vector<double> BlockTests::Chances(const BlockModel& model,
   std::vector<double> chances;
   for (const int block : blocks) {
     const BlockScore score = ScoreOf(c, block);
-    const double rest = c.nu / together - score.k;
-    const bool tells = score.k > 0 && rest >= 1;
-    const double noise = std::max(c.rss - score.Q, 1e-300) / rest;
-    chances.push_back(tells ? FTail(score.Q / score.k / noise, score.k, rest) : 1);
+    chances.push_back(RemovalTail(score.Q, score.k, c.rss, c.nu / together));
   }
   return chances;
 }

@@ -119,6 +119,7 @@ class BlockTests {
     double rss = 0, nu = 0;
   };
   void Simulate() const;
+  std::vector<int> AllBlocks() const;
   Conditioned Condition(const BlockModel& model) const;
   /// The same with the columns of some blocks only.
   Conditioned Condition(const BlockModel& model, const std::vector<int>& blocks) const;

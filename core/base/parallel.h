@@ -6,10 +6,13 @@
 
 namespace dhcal {
 
-/// Calls work(k) once for each k in [0, count), in any order and on as many threads as there are
-/// processors; returns when all are done. Each piece writes to its own place only, so that the
-/// outcome does not depend on the number of processors. `work` must not throw.
-void ParallelFor(int count, const std::function<void(int)>& work);
+/// At least one.
+int NumProcessors();
+
+/// Calls work(k) once for each k in [0, count), in any order and on so many threads; returns when
+/// all are done. Each piece writes to its own place only, so that the outcome does not depend on
+/// the number of threads. `work` must not throw.
+void ParallelFor(int count, const std::function<void(int)>& work, int threads = NumProcessors());
 
 }  // namespace dhcal
 

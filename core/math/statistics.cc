@@ -25,6 +25,12 @@ double FTail(double x, double k, double nu) {
   return boost::math::cdf(boost::math::complement(boost::math::fisher_f(k, nu), std::max(x, 0.0)));
 }
 
+double RemovalTail(double Q, double k, double rss, double nu) {
+  const double rest = nu - k;
+  if (!(k > 0) || rest < 1) return 1;
+  return FTail(Q / k / (std::max(rss - Q, 1e-300) / rest), k, rest);
+}
+
 double ChiSquareScore(double mean_square, double dof) {
   const double spread = 2 / (9 * dof);
   return (std::cbrt(std::max(mean_square, 0.0)) - (1 - spread)) / std::sqrt(spread);

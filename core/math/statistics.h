@@ -16,6 +16,11 @@ double ChiSquareTail(double x, double dof);
 /// P(F with `k` and `nu` degrees of freedom > x).
 double FTail(double x, double k, double nu);
 
+/// Probability that `k` columns remove `Q` or more of the squares `rss` by chance, where what they
+/// leave is noise of unknown size; `nu`: freedom before them. One where nothing is left to judge
+/// by.
+double RemovalTail(double Q, double k, double rss, double nu);
+
 /// The standard normal score of a chi-square variable with `dof` degrees of freedom, given as its
 /// mean square x / dof (Wilson and Hilferty 1931).
 double ChiSquareScore(double mean_square, double dof);

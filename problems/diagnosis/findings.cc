@@ -85,10 +85,9 @@ double Replication(const CompleteFit& fit, const EffectColumn& column) {
   const Eigen::MatrixXd basis = OrthonormalBasis(ProjectOff(U, split), 1e-4);
   if (basis.cols() == 0) return kUnknown;
   const double removed = (basis.transpose() * y).squaredNorm();
-  const double rest = static_cast<double>(rows.degrees_of_freedom() - U.cols() - basis.cols());
+  const auto nu = static_cast<double>(rows.degrees_of_freedom() - U.cols());
   const auto k = static_cast<double>(basis.cols());
-  if (rest < 1) return kUnknown;
-  return FTail(removed / k / ((y.squaredNorm() - removed) / rest), k, rest);
+  return nu - k < 1 ? kUnknown : RemovalTail(removed, k, y.squaredNorm(), nu);
 }
 
 void AddParameters(const std::vector<int>& columns,

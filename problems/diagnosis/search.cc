@@ -212,7 +212,7 @@ class Searcher {
 
   /// Probability that the order scan's or the names' strongest has a p this small by chance.
   double AmongAll(double p, int name) const {
-    if (IsScannedLine(at(name).request)) return ScanProbability(p, ScanWidth(space_->context()));
+    if (IsScannedLine(at(name).request)) return tester_.ScanChance(p);
     return std::min(1.0, p * static_cast<double>(tester_.names().size()));
   }
 

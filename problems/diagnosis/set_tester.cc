@@ -291,7 +291,7 @@ double SetTester::LinesLeft(const BlockModel& model) const {
   double least = 1;
   if (lines_.empty()) return least;
   for (const BlockScore& score : tests_->Scores(model, lines_)) {
-    if (score.k > 0) least = std::min(least, ScanProbability(score.p, scan_width_));
+    if (score.k > 0) least = std::min(least, ScanChance(score.p));
   }
   return least;
 }

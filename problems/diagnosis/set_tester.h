@@ -54,6 +54,8 @@ class SetTester {
 
   /// Highest peak of each joint beside the members.
   std::vector<SpectralPeak> Scan(const std::vector<int>& members) const;
+  /// Probability under noise that the scan's highest line has this p or less.
+  double ScanChance(double p) const { return ScanProbability(p, scan_width_); }
   static double LeastScan(const std::vector<SpectralPeak>& peaks);
   /// Evidence of the members with a peak found beside them.
   double EvidenceWith(const SpectralPeak& peak, const std::vector<int>& members) const;

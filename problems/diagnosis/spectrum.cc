@@ -121,9 +121,7 @@ OrderProducts ProductsOf(const JointSums& sums, const VectorXd& q, const OrderGr
 }
 
 double TailOf(double Q, double rss, double nu, bool sigma_known) {
-  if (sigma_known) return ChiSquareTail(Q, 2);
-  const double rest = nu - 2;
-  return rest < 1 ? 1.0 : FTail(Q / 2 / (std::max(rss - Q, 1e-300) / rest), 2, rest);
+  return sigma_known ? ChiSquareTail(Q, 2) : RemovalTail(Q, 2, rss, nu);
 }
 
 /// Squares that sine and cosine of one order remove. S: 2 x 2 after projection.

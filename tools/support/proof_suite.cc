@@ -1,15 +1,14 @@
 #include "tools/support/proof_suite.h"
 
 #include <algorithm>
-#include <atomic>
 #include <fstream>
 #include <mutex>
 #include <sstream>
 #include <stdexcept>
-#include <thread>
 
 #include <fmt/format.h>
 
+#include "core/base/parallel.h"
 #include "problems/concealed/case_files.h"
 #include "problems/concealed/scenarios.h"
 #include "tools/support/run_program.h"
@@ -185,23 +184,20 @@ std::vector<ProofScore> RunProof(const ProofOptions& options,
   ForgetOtherPrograms(options);
   const std::vector<ProofCase> cases = CasesOf(options);
   std::vector<ProofScore> scores(cases.size());
-  std::atomic<std::size_t> next{0};
+  const auto count = static_cast<int>(cases.size());
   int done = 0;
   std::mutex mutex;
-  const auto work = [&] {
-    for (std::size_t k = next++; k < cases.size(); k = next++) {
-      try {
-        scores[k] = Prove(options, cases[k]);
-      } catch (const std::exception& error) {
-        scores[k] = Failed(cases[k], error.what());
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      say(++done, static_cast<int>(cases.size()));
+  const auto work = [&](int idx) {
+    const auto k = static_cast<std::size_t>(idx);
+    try {
+      scores[k] = Prove(options, cases[k]);
+    } catch (const std::exception& error) {
+      scores[k] = Failed(cases[k], error.what());
     }
+    const std::lock_guard<std::mutex> lock(mutex);
+    say(++done, count);
   };
-  std::vector<std::thread> pool;
-  for (int k = 0; k < std::max(1, options.jobs); ++k) pool.emplace_back(work);
-  for (std::thread& thread : pool) thread.join();
+  ParallelFor(count, work, options.jobs);
   return scores;
 }
 

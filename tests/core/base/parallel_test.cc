@@ -16,6 +16,15 @@ TEST(ParallelFor, DoesEachPieceOnce) {
   }
 }
 
+TEST(ParallelFor, DoesAllOnOneThreadOrOnMoreThanThereAreProcessors) {
+  for (const int threads : {1, 2 * NumProcessors() + 1}) {
+    std::vector<int> times(50, 0);
+    ParallelFor(
+        50, [&](int k) { ++times[static_cast<std::size_t>(k)]; }, threads);
+    EXPECT_EQ(times, std::vector<int>(50, 1)) << threads;
+  }
+}
+
 TEST(ParallelFor, DoesNothingWhereThereIsNothingToDo) {
   ParallelFor(0, [](int /*k*/) { ADD_FAILURE(); });
 }

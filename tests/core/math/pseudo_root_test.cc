@@ -4,6 +4,7 @@
 
 #include "core/base/rng.h"
 #include "tests/support/matchers.h"
+#include "tests/support/random_matrix.h"
 
 namespace dhcal {
 namespace {
@@ -16,8 +17,7 @@ using Eigen::VectorXd;
 /// last are sums of the first ones.
 MatrixXd DependentGram(Index size, Index rank) {
   Rng rng(1);
-  MatrixXd A(3 * size, size);
-  for (double& value : A.reshaped()) value = rng.Normal();
+  MatrixXd A = RandomMatrix(3 * size, size, &rng);
   for (Index k = rank; k < size; ++k) A.col(k) = A.col(k - rank) - 2 * A.col(k - rank + 1);
   for (Index k = 0; k < size; ++k) A.col(k) *= k % 2 == 0 ? 1e-3 : 1e4;
   return A.transpose() * A;

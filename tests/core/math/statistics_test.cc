@@ -56,6 +56,13 @@ TEST(ChiSquareTail, AgreesWithTheTable) {
   EXPECT_NEAR(ChiSquareTail(124.342, 100), 0.05, 5e-6);
 }
 
+TEST(RemovalTail, IsTheFTestOfWhatColumnsRemove) {
+  // Two columns take 30 of 100 squares, 18 freedoms keep the rest: F = 15 / (70 / 18).
+  EXPECT_DOUBLE_EQ(RemovalTail(30, 2, 100, 20), FTail(15.0 / (70.0 / 18), 2, 18));
+  EXPECT_EQ(RemovalTail(30, 2, 100, 2.5), 1) << "nothing is left to judge by";
+  EXPECT_EQ(RemovalTail(30, 0, 100, 20), 1) << "no column";
+}
+
 TEST(ChiSquareScore, HasTheTailOfTheNormalAtTheTablesQuantiles) {
   // 95 % quantiles; the cube root is good to a few thousandths there.
   EXPECT_NEAR(ChiSquareScore(18.307 / 10, 10), 1.6449, 0.01);

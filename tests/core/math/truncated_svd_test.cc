@@ -8,6 +8,7 @@
 
 #include "core/base/rng.h"
 #include "tests/support/matchers.h"
+#include "tests/support/random_matrix.h"
 
 namespace dhcal {
 namespace {
@@ -16,12 +17,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kSvdRounding = 1e-14;  // a few roundings of numbers of size one
-
-MatrixXd RandomMatrix(int rows, int cols, Rng* rng) {
-  MatrixXd A(rows, cols);
-  for (double& value : A.reshaped()) value = rng->Normal();
-  return A;
-}
 
 VectorXd RandomVector(int size, Rng* rng) { return RandomMatrix(size, 1, rng); }
 

@@ -8,17 +8,12 @@
 
 #include "core/base/rng.h"
 #include "tests/support/matchers.h"
+#include "tests/support/random_matrix.h"
 
 namespace dhcal {
 namespace {
 
 using Eigen::MatrixXd;
-
-MatrixXd NormalMatrix(int rows, int cols, Rng* rng) {
-  MatrixXd A(rows, cols);
-  for (double& value : A.reshaped()) value = rng->Normal();
-  return A;
-}
 
 /// Adds A in pieces of `chunk` rows.
 MatrixXd ReducedInChunks(const MatrixXd& A, int chunk) {
@@ -41,7 +36,7 @@ TEST(Tsqr, KeepsTheGramMatrixForAnyNumberOfRows) {
   Rng rng(1);
   // Fewer rows than columns, as many, one buffer (512 + columns), one more, several.
   for (const int rows : {1, 3, 7, 8, 519, 520, 2600}) {
-    const MatrixXd A = NormalMatrix(rows, 7, &rng);
+    const MatrixXd A = RandomMatrix(rows, 7, &rng);
     const MatrixXd R = ReducedInChunks(A, rows);
     EXPECT_EQ(R.rows(), 7);
     EXPECT_TRUE(R.isUpperTriangular(0.0)) << rows << " rows";
@@ -52,7 +47,7 @@ TEST(Tsqr, KeepsTheGramMatrixForAnyNumberOfRows) {
 
 TEST(Tsqr, DoesNotDependOnHowTheRowsAreCut) {
   Rng rng(2);
-  const MatrixXd A = NormalMatrix(1500, 5, &rng);
+  const MatrixXd A = RandomMatrix(1500, 5, &rng);
   const MatrixXd R = WithPositiveDiagonal(ReducedInChunks(A, 1500));
   for (const int chunk : {1, 3, 511, 517, 1499}) {
     // Entries are of size sqrt(1500).
@@ -62,7 +57,7 @@ TEST(Tsqr, DoesNotDependOnHowTheRowsAreCut) {
 
 TEST(Tsqr, GoesOnAfterTheTriangleWasRead) {
   Rng rng(3);
-  const MatrixXd A = NormalMatrix(40, 6, &rng);
+  const MatrixXd A = RandomMatrix(40, 6, &rng);
   Tsqr tsqr(6);
   for (Eigen::Index row = 0; row < A.rows(); ++row) {
     tsqr.Add(A.row(row));
@@ -84,9 +79,9 @@ TEST(Tsqr, KeepsSingularValuesThatAGramMatrixLoses) {
   // Known singular values down to 1e-12 of the largest; in A'A their squares, 1e-24, would vanish.
   Rng rng(4);
   const int rows = 3000;
-  const MatrixXd U = Eigen::HouseholderQR<MatrixXd>(NormalMatrix(rows, 4, &rng)).householderQ() *
+  const MatrixXd U = Eigen::HouseholderQR<MatrixXd>(RandomMatrix(rows, 4, &rng)).householderQ() *
                      MatrixXd::Identity(rows, 4);
-  const MatrixXd V = Eigen::HouseholderQR<MatrixXd>(NormalMatrix(4, 4, &rng)).householderQ();
+  const MatrixXd V = Eigen::HouseholderQR<MatrixXd>(RandomMatrix(4, 4, &rng)).householderQ();
   const Eigen::Vector4d s(1, 1e-4, 1e-8, 1e-12);
   const MatrixXd R = ReducedInChunks(U * s.asDiagonal() * V.transpose(), 700);
   const Eigen::VectorXd found = Eigen::JacobiSVD<MatrixXd>(R).singularValues();
@@ -95,7 +90,7 @@ TEST(Tsqr, KeepsSingularValuesThatAGramMatrixLoses) {
 
 TEST(Tsqr, TakesMoreColumnsThanABlockHasRows) {
   Rng rng(5);
-  const MatrixXd A = NormalMatrix(1300, 600, &rng);
+  const MatrixXd A = RandomMatrix(1300, 600, &rng);
   const MatrixXd R = ReducedInChunks(A, 400);
   EXPECT_THAT(R.transpose() * R, MatrixNear(A.transpose() * A, 1e-10));
 }

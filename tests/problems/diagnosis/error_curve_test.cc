@@ -7,8 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
-#include "problems/diagnosis/diagnose.h"
-#include "problems/identify.h"
+#include "tests/support/problem_cases.h"
 #include "tests/support/sanitized.h"
 #include "tools/support/study_scenarios.h"
 
@@ -36,8 +35,7 @@ Draw DrawWithCurve() {
 TEST(ErrorCurve, IsNamedWhereAGearErrsAtManyOrders) {
   if (kSanitized) GTEST_SKIP() << "too slow with sanitizers; the other tests run the same code";
   const Draw draw = DrawWithCurve();
-  const Result identified = IdentifyGeometry(draw.spec, draw.recording, {});
-  const DiagnosisResult d = Diagnose(draw.spec, draw.recording, identified, {});
+  const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
   const auto curve = std::find_if(d.findings.begin(), d.findings.end(), [](const Finding& f) {
     return f.effect.effect == "transmission_error" && f.effect.joint == 3;
   });

@@ -13,10 +13,9 @@
 #include "core/io/recording_reader.h"
 #include "core/physics/registry.h"
 #include "problems/diagnosis/complete_fit.h"
-#include "problems/diagnosis/diagnose.h"
 #include "problems/diagnosis/projection.h"
 #include "problems/diagnosis/search.h"
-#include "problems/identify.h"
+#include "tests/support/problem_cases.h"
 #include "tests/support/robots.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temp_file.h"
@@ -51,8 +50,7 @@ struct Decision {
 };
 
 Decision DecisionOf(const Draw& draw) {
-  const Result result = IdentifyGeometry(draw.spec, draw.recording, {});
-  const DiagnosisResult d = Diagnose(draw.spec, draw.recording, result, {});
+  const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
   Decision decision;
   decision.verdict = ToString(d.verdict);
   for (const HypothesisResult& hypothesis : d.hypotheses) {

@@ -62,8 +62,8 @@ TEST(Search, ADamagedToothIsAShapeAndNotItsFourierSeries) {
 
 TEST(Search, OneOfThousandsOfOrdersThatResemblesAStrongCauseIsNotNamed) {
   // Each of these had two to five lines of orders between 8 and 330 that beat the stated noise.
-  if (kSanitized) GTEST_SKIP() << "too slow with sanitizers; the other test runs the same code";
   for (const std::uint64_t seed : {1, 2, 4, 7}) {
+    if (kSanitized && seed > 1) break;  // the same code, many times slower
     ExpectLocatedNotNamed(DiagnoseStudied("unlisted coupling", seed), "theta3");
   }
 }
