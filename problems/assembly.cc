@@ -180,7 +180,7 @@ void AddBlocks(const Calibration& c,
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     if (!c.parameters[k].prior_sigma) continue;
     problem->priors.push_back(problem->problem->AddResidualBlock(
-        new PriorResidual(0.0, *c.parameters[k].prior_sigma), nullptr, {blocks[k]}));
+        new PriorResidual(0.0, *c.parameters[k].prior_sigma), nullptr, blocks[k]));
   }
 }
 

@@ -39,6 +39,8 @@ RowResidual DescribeRow(const Calibration& c,
   const Comparison after = Compare(c, state, reading);
   RowResidual row;
   row.row_idx = reading.row_idx;
+  const Recording& recording = c.recording;
+  if (!recording.run_idx.empty()) row.run = recording.run_names[recording.run(reading.row_idx)];
   row.measured = after.measured;
   row.predicted_before = Compare(c, Eigen::VectorXd::Zero(state.size()), reading).predicted;
   row.predicted_after = after.predicted;

@@ -1,6 +1,7 @@
 #include "problems/start.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <Eigen/SVD>
 

@@ -3,6 +3,7 @@
 #define DHCAL_PROBLEMS_START_H_
 
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

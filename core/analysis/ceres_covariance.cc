@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <ceres/covariance.h>
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #include "core/io/diagnosis_json.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dhcal {

@@ -73,7 +73,7 @@ std::string ResidualsToCsv(const Result& result, const Recording& recording) {
   AppendHeader(coordinates, with_target, &csv);
   for (const RowResidual& row : result.residuals) {
     csv.Integer(row.row_idx + 1);
-    csv.Label(recording.run_idx.empty() ? "" : recording.run_names[recording.run(row.row_idx)]);
+    csv.Label(row.run);
     if (with_target) csv.Label(recording.target_names[recording.target(row.row_idx)]);
     csv.Label(row.test ? "test" : "train");
     AppendRow(row, coordinates, &csv);

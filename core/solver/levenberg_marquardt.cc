@@ -1,5 +1,8 @@
 #include "core/solver/levenberg_marquardt.h"
 
+#include <memory>
+#include <vector>
+
 #include <ceres/solver.h>
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "core/solver/truncated_gauss_newton.h"
 
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "problems/concealed/scenarios.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/base/units.h"
 #include "problems/concealed/causes.h"

@@ -1,5 +1,6 @@
 #include "problems/concealed/statics.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dhcal::concealed {

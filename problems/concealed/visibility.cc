@@ -1,5 +1,6 @@
 #include "problems/concealed/visibility.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 

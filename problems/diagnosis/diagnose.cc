@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -60,10 +61,7 @@ double SerialCorrelation(const CompleteFit& fit,
                          const CleanRows& clean,
                          const HypothesisSpace& space,
                          const std::vector<int>& accepted) {
-  Eigen::VectorXd y = clean.y;
-  for (const int k : accepted) {
-    y = ProjectOff(OrthonormalBasis(space.Projected(k), 1e-6), y);
-  }
+  const Eigen::VectorXd y = ProjectOff(space.BasisOf(accepted), clean.y);
   const Recording& recording = fit.calibration.recording;
   const int coordinates = clean.rows->coordinates();
   double product = 0, square = 0;

@@ -1,6 +1,7 @@
 #include "problems/diagnosis/hypotheses.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glog/logging.h>

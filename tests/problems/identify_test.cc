@@ -140,6 +140,9 @@ TEST(Identify, BasePerRunIsRegisteredAnew) {
   const Eigen::Isometry3d found =
       result.calibrated.base_of_run[1].X * result.calibrated.base_of_run[0].X.inverse();
   EXPECT_LT((found.linear() - moved.linear()).norm(), 1e-4);
+  ASSERT_EQ(result.residuals.size(), 200u);
+  EXPECT_EQ(result.residuals[99].run, "morning");
+  EXPECT_EQ(result.residuals[100].run, "evening");
 }
 
 TEST(Identify, SimulatedUnitsOfNoiseAreFoundForPoses) {

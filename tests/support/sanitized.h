@@ -4,7 +4,7 @@
 
 namespace dhcal {
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(DHCAL_SANITIZED)
 constexpr bool kSanitized = true;
 #else
 constexpr bool kSanitized = false;

@@ -25,6 +25,7 @@ target_compile_options(
             -Wshadow
             -Wconversion
             -Wno-sign-conversion
+            $<$<CXX_COMPILER_ID:Clang>:-Wreserved-identifier>
             $<$<BOOL:${DHCAL_WERROR}>:-Werror>)
 
 # Three undefined-behaviour checks are left out: they double the time to compile Eigen code, while a
@@ -37,7 +38,7 @@ if(DHCAL_SANITIZE)
     -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${DHCAL_SANITIZE})
-  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+  add_compile_definitions(_GLIBCXX_ASSERTIONS DHCAL_SANITIZED)
 endif()
 
 if(DHCAL_COVERAGE)

@@ -5,14 +5,6 @@
 
 include(GoogleTest)
 
-# Eight files of the tests are one to the compiler: most of its time goes into headers and templates
-# that they share. The product's own files stay single in the release build, so that each must
-# include what it uses and is compiled as users do. Two files of one batch must not define the same
-# name, even in anonymous namespaces.
-if(DHCAL_UNITY_TESTS)
-  set(CMAKE_UNITY_BUILD ON)
-endif()
-
 dhcal_library(dhcal_test_support FOLDER tests/support DEPENDS dhcal_tools_support GTest::gmock
               GTest::gtest)
 target_compile_definitions(
@@ -27,6 +19,7 @@ function(dhcal_discover target prefix filter)
     TEST_FILTER "${filter}"
     WORKING_DIRECTORY "${PROJECT_BINARY_DIR}/tests"
     DISCOVERY_TIMEOUT 300
+    NO_PRETTY_VALUES # names end with the parameter's own name, not with its bytes
     PROPERTIES ${ARGN})
 endfunction()
 

@@ -1,5 +1,6 @@
 #include "tools/support/study_scenarios.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
