@@ -14,7 +14,8 @@
 namespace dhcal {
 namespace {
 
-/// Sums what columns with given values add, per slot.
+/// Sums what columns with given values add, per slot. Names without a column were refused on input
+/// (CheckEffectsFit), but for parts of a curve where this recording does not go.
 void AddHeld(const std::vector<EffectColumn>& columns,
              const std::map<std::string, double>& values,
              std::vector<SlotWeights>* held) {

@@ -98,6 +98,13 @@ void CheckEnoughReadings(const ProblemSpec& spec,
     diagnostics->Error(spec.parameters.where,
                        "parameters: nothing is left to estimate; name a group in 'estimate' that "
                        "'fix' does not take away");
+  } else if (c.readings.fitted.empty() &&
+             spec.measurement.kind == MeasurementKind::kAdjacentPosition) {
+    diagnostics->Error(
+        {recording.file, 0, 0},
+        "no two consecutive rows share run, target and set, so there is no displacement to fit; "
+        "give rows that follow each other the same run and target, and mark whole runs or "
+        "stretches of rows 'test', not single rows");
   } else if (numbers < unknowns) {
     diagnostics->Error(
         {recording.file, 0, 0},
@@ -106,6 +113,13 @@ void CheckEnoughReadings(const ProblemSpec& spec,
                     c.readings.fitted.size(),
                     numbers,
                     unknowns));
+  } else if (numbers == unknowns && !SourceOfNoise(c).all_given()) {
+    diagnostics->Error(
+        {recording.file, 0, 0},
+        fmt::format("{} numbers for as many free parameters leave nothing to estimate the noise "
+                    "from; state measurement.sigma_mm (for poses sigma_rotation_mrad, too), record "
+                    "more poses or estimate less",
+                    numbers));
   }
 }
 

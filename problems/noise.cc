@@ -20,12 +20,21 @@ struct WhitenedResiduals {
   std::vector<double> lengths, rotations;
 };
 
+bool HasOwnSigma(const Calibration& c, int row_idx) {
+  return c.recording.sigma.size() > 0 && std::isfinite(c.recording.sigma[row_idx]);
+}
+
+/// Lengths of rows with a sigma of their own are left out: they tell nothing about the others'.
 WhitenedResiduals Split(const Calibration& c, const Eigen::VectorXd& residuals) {
   const int coordinates = NumCoordinates(c.spec.measurement.kind);
   WhitenedResiduals split;
   for (Eigen::Index k = 0; k < residuals.size(); ++k) {
-    const bool rotation = k % coordinates >= 3;
-    (rotation ? split.rotations : split.lengths).push_back(residuals[k]);
+    const Reading& reading = c.readings.fitted[static_cast<std::size_t>(k / coordinates)];
+    if (k % coordinates >= 3) {
+      split.rotations.push_back(residuals[k]);
+    } else if (!HasOwnSigma(c, reading.row_idx)) {
+      split.lengths.push_back(residuals[k]);
+    }
   }
   return split;
 }
@@ -52,11 +61,12 @@ double Scale(const std::vector<double>& values, double share, bool robust) {
 
 Noise Rescale(const Calibration& c, const Noise& noise, const WhitenedResiduals& r, int rank) {
   const NoiseSource source = SourceOfNoise(c);
-  const auto count = static_cast<double>(r.lengths.size() + r.rotations.size());
+  const auto count =
+      static_cast<double>(c.readings.fitted.size()) * NumCoordinates(c.spec.measurement.kind);
   const double share = std::max(1.0 - rank / count, 1.0 / count);
   const bool robust = c.spec.solver.loss != LossKind::kNone;
   Noise result = noise;
-  if (!source.sigma_given) {
+  if (!source.sigma_given && !r.lengths.empty()) {
     result.sigma = std::max(noise.sigma * Scale(r.lengths, share, robust), kFinestSigma);
   }
   if (!source.rotation_given) {
@@ -69,7 +79,15 @@ Noise Rescale(const Calibration& c, const Noise& noise, const WhitenedResiduals&
 }  // namespace
 
 NoiseSource SourceOfNoise(const Calibration& c) {
-  const bool per_row = c.recording.sigma.size() > 0 && c.recording.sigma.allFinite();
+  // A row that gives no reading needs no sigma; with shared noise the row before counts, too.
+  const auto own_sigma = [&](const Reading& reading) {
+    return HasOwnSigma(c, reading.row_idx) &&
+           (c.spec.measurement.noise != NoiseKind::kSharedPose || reading.previous_idx < 0 ||
+            HasOwnSigma(c, reading.previous_idx));
+  };
+  const bool per_row = c.recording.sigma.size() > 0 &&
+                       std::all_of(c.readings.fitted.begin(), c.readings.fitted.end(), own_sigma) &&
+                       std::all_of(c.readings.test.begin(), c.readings.test.end(), own_sigma);
   NoiseSource source;
   source.sigma_given = per_row || c.spec.measurement.sigma.has_value();
   source.rotation_given = c.spec.measurement.kind != MeasurementKind::kPose ||

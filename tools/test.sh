@@ -67,6 +67,12 @@ build() {
   cmake --build --preset "$1" -j "$jobs"
 }
 
+# tidy: the release build compiles in batches, so the commands of single files are those of `dev`.
+tidy() {
+  cmake --preset dev -DDHCAL_WERROR=ON >"$logs/configure-dev" 2>&1 || { cat "$logs/configure-dev"; return 1; }
+  python3 tools/tidy.py --build build/dev --jobs "$jobs"
+}
+
 # run_tests <test preset>: runs the tests and keeps CTest's summary for the end.
 run_tests() {
   local log="$logs/tests-$1" status=0
@@ -99,7 +105,7 @@ if [ "$quick" = no ]; then
 fi
 build_and_test release "${release_tests[@]}"
 if [ "$quick" = no ]; then
-  step tidy python3 tools/tidy.py --build build/release --jobs "$jobs" || true
+  step tidy tidy || true
   build_and_test asan-ubsan asan-ubsan
 fi
 

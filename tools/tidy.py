@@ -3,7 +3,7 @@
 
 usage: tools/tidy.py [--build DIR] [--jobs N] [--batch N] [--no-cache] [FILE...]
 
-DIR (default build/release) must be configured: its compile_commands.json says how to read a file.
+DIR (default build/dev) must be configured, without unity builds: its compile_commands.json says how to read a file.
 Most of clang-tidy's time goes into headers and template instantiations. So the files of one target
 are read N (default 16) at a time, one behind the other as a single source. That only finds out that
 all is well: the files of a batch with any finding, also that two define the same name, are read
@@ -159,7 +159,7 @@ def compile_commands(build, wanted):
 def parse_arguments(arguments):
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "dev")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--batch", type=int, default=16)
     parser.add_argument("--no-cache", action="store_true")
@@ -198,7 +198,7 @@ def main(arguments):
         print("tidy: clang-tidy is not installed; run tools/setup.sh.", file=sys.stderr)
         return 2
     if not (arguments.build / "compile_commands.json").is_file():
-        print(f"tidy: {arguments.build} is not configured; run: cmake --preset release",
+        print(f"tidy: {arguments.build} is not configured; run: cmake --preset dev",
               file=sys.stderr)
         return 2
     commands = compile_commands(arguments.build, arguments.files)

@@ -65,6 +65,10 @@ void BlockTests::Simulate() const {
     draws_rss_ = (normal.colwise().squaredNorm() -
                   (gram_.basis.transpose() * normal).colwise().squaredNorm())
                      .transpose();
+    if (gram_.offsets.cols() > 0) {
+      draws_rss_ -=
+          MatrixXd(gram_.offsets.transpose() * normal).colwise().squaredNorm().transpose();
+    }
     gram_.rows.resize(0, 0);
     gram_.basis.resize(0, 0);
   } else {

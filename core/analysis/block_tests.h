@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 namespace dhcal {
 
@@ -24,6 +25,9 @@ struct BlockGram {
   /// With few rows the draws are made over them: then there may be more columns than freedom, and S
   /// has no Cholesky factor. X projected, and the geometry's basis; empty = draw from S.
   Eigen::MatrixXd rows, basis;
+  /// What else was taken out of y and X, beside that basis: orthonormal columns, orthogonal to it;
+  /// may be empty. Used with `rows` only.
+  Eigen::SparseMatrix<double> offsets;
   bool sigma_known = false;  // rows are whitened by a known sigma (else only up to a factor)
 };
 

@@ -5,17 +5,23 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <glog/logging.h>
 
 #include "core/analysis/null_space.h"
+#include "core/base/rng.h"
+#include "core/base/units.h"
+#include "core/kinematics/dh_chain.h"
 #include "core/kinematics/slots.h"
 
 namespace dhcal {
 namespace {
 
 constexpr std::size_t kMostNamed = 8;
+constexpr int kPoses = 12;
+constexpr double kNothing = 1e-3;  // of the robot's reach: millimetres
 
 /// Parameters by name, and where in the chain they act.
 class Names {
@@ -113,21 +119,80 @@ std::string ParallelOffsets(const RobotModel& robot,
   return fmt::format("only {} is determined: axes {} are parallel", sum, Join(axes, " and "));
 }
 
-std::string One(const Names& names, MeasurementKind kind, const std::string& name) {
-  const Parameter& parameter = names.at(name);
-  if (parameter.group == ParameterGroup::kEffect) return name + " changes no reading";
-  if (parameter.unit == Unit::kRadian) {
-    if (parameter.group == ParameterGroup::kTool) {
-      return name +
-             " turns the tool about the measured point: only a measured orientation shows it";
+/// How one slot moves the measured point at poses all over the joint space. All of it is seen
+/// unweighted: a tight prior or a truncation may hide a parameter that moves the point well.
+struct PointMove {
+  double move = 0;    // largest, per unit of the slot
+  double change = 0;  // largest change of the move from pose to pose
+  double reach = 0;   // largest move per radian of any joint or of the base
+};
+
+/// The tools that a parameter's rows may carry.
+std::vector<Eigen::Isometry3d> Tools(const RobotModel& robot, const Parameter& parameter) {
+  std::vector<Eigen::Isometry3d> tools;
+  for (std::size_t k = 0; k < robot.targets.size(); ++k) {
+    if (parameter.target >= 0 && parameter.target != static_cast<int>(k)) continue;
+    tools.push_back(robot.targets[k].X_TQ);
+  }
+  for (const RunFrame& frame : robot.tool_of_run) tools.push_back(frame.X);
+  if (tools.empty()) tools.push_back(robot.X_TQ);
+  return tools;
+}
+
+PointMove MoveBy(const RobotModel& robot, const Parameter& parameter) {
+  const DhChain chain(robot);
+  const SlotLayout& slots = chain.slots();
+  const Eigen::VectorXd no_delta = Eigen::VectorXd::Zero(slots.size());
+  PointMove seen;
+  for (const Eigen::Isometry3d& X_TQ : Tools(robot, parameter)) {
+    Rng rng(20250);
+    Eigen::Vector3d first = Eigen::Vector3d::Zero();
+    for (int k = 0; k < kPoses; ++k) {
+      Eigen::VectorXd q(robot.num_joints());
+      for (int j = 0; j < robot.num_joints(); ++j) {
+        const bool turns = robot.joints[static_cast<std::size_t>(j)].type == JointType::kRevolute;
+        q[j] = turns ? rng.Uniform(-kPi, kPi) : rng.Uniform(-0.5, 0.5);
+      }
+      PoseWithDerivatives pose;
+      chain.PoseAndDerivatives(q, no_delta, {robot.X_WB, X_TQ}, &pose);
+      const Eigen::Vector3d move = pose.J_p.col(parameter.slot);
+      if (k == 0) first = move;
+      seen.move = std::max(seen.move, move.norm());
+      seen.change = std::max(seen.change, (move - first).norm());
+      for (int slot = 0; slot < slots.tool(0); ++slot) {
+        if (slots.is_angle(slot)) {
+          seen.reach = std::max(seen.reach, pose.J_p.col(slot).norm());
+        }
+      }
     }
-    if (kind == MeasurementKind::kPose) return name + " changes no reading";
-    return name + " turns about an axis through the measured point: no reading depends on it";
   }
-  if (kind == MeasurementKind::kAdjacentPosition) {
-    return name + " shifts all measured points alike: differences of readings do not show it";
+  return seen;
+}
+
+/// Why the geometry hides one parameter from all readings of a kind, or "" where it does not.
+std::string GeometryHides(const RobotModel& robot,
+                          MeasurementKind kind,
+                          const Parameter& parameter) {
+  // A measured orientation shows every turn, and a length moves the point itself.
+  if (parameter.slot < 0 || kind == MeasurementKind::kPose) return "";
+  const PointMove seen = MoveBy(robot, parameter);
+  if (parameter.unit == Unit::kRadian) {
+    if (seen.move > kNothing * seen.reach) return "";
+    return parameter.group == ParameterGroup::kTool
+               ? "turns the tool about the measured point: only a measured orientation shows it"
+               : "turns about an axis through the measured point: no reading depends on it";
   }
-  return name + " does not move the measured point";
+  if (kind != MeasurementKind::kAdjacentPosition || seen.change > kNothing) return "";
+  return "shifts all measured points alike: differences of readings do not show it";
+}
+
+std::string One(const RobotModel& robot, MeasurementKind kind, const Parameter& parameter) {
+  const std::string reason = GeometryHides(robot, kind, parameter);
+  if (!reason.empty()) return parameter.name + " " + reason;
+  const char* const known = parameter.prior_sigma                        ? "prior"
+                            : parameter.group == ParameterGroup::kEffect ? "usual size"
+                                                                         : "tolerance";
+  return fmt::format("the readings say less about {} than its {} does", parameter.name, known);
 }
 
 /// Why a direction that mixes frames and rows is hidden, or "".
@@ -175,7 +240,7 @@ void WriteExplanations(const RobotModel& robot,
   const Names names(robot, parameters);
   for (NullDirection& n : *directions) {
     if (n.direction.size() == 1) {
-      n.explanation = One(names, kind, n.direction[0].name);
+      n.explanation = One(robot, kind, names.at(n.direction[0].name));
     } else if (IsParallelOffsets(robot, names, n)) {
       n.explanation = ParallelOffsets(robot, names, n, *directions);
     } else if (n.direction.size() == 2) {

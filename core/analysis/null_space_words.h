@@ -11,7 +11,9 @@
 
 namespace dhcal {
 
-/// Fills the explanation of each direction: what is determined instead, and why.
+/// Fills the explanation of each direction: what is determined instead, and why. Geometry is named
+/// as the reason for a single parameter only where it moves no reading, as the nominal robot has
+/// it; elsewhere its prior or tolerance is tighter than what the readings say.
 void WriteExplanations(const RobotModel& robot,
                        MeasurementKind kind,
                        const std::vector<Parameter>& parameters,

@@ -1,10 +1,13 @@
 // calibrated.yaml: the problem file again, with the corrected robot as its nominal one. Built from
 // the file itself, so that everything the corrections do not concern stays as the user wrote it.
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
@@ -29,15 +32,6 @@ double DegreesOf(double angle) {
     if (std::abs(neighbour * kDegree - angle) < std::abs(best * kDegree - angle)) best = neighbour;
   }
   return best;
-}
-
-/// Roll, pitch, yaw that give R back also near pitch = 90 deg, where only roll -+ yaw is
-/// determined: the roll is the one that belongs to this very yaw.
-Eigen::Vector3d PairedRpy(const Eigen::Matrix3d& R) {
-  Eigen::Vector3d rpy = RpyFromRotation(R);
-  const Eigen::Matrix3d rest = RotationFromRpy({0, 0, -rpy.z()}) * R;
-  rpy.x() = std::atan2(-rest(1, 2), rest(1, 1));
-  return rpy;
 }
 
 YAML::Node FlowMap() {
@@ -82,7 +76,7 @@ YAML::Node JointNode(const JointRow& joint, const YAML::Node& old) {
 }
 
 void SetPose(const Eigen::Isometry3d& X, YAML::Node* node) {
-  const Eigen::Vector3d rpy = PairedRpy(X.linear());
+  const Eigen::Vector3d rpy = RpyFromRotation(X.linear());
   (*node)["xyz_m"] = FlowList(X.translation());
   (*node)["rpy_deg"] = FlowList({DegreesOf(rpy.x()), DegreesOf(rpy.y()), DegreesOf(rpy.z())});
 }
@@ -112,10 +106,12 @@ YAML::Node TargetsNode(const std::vector<Target>& targets, const YAML::Node& old
   return node;
 }
 
+[[noreturn]] void ThrowChanged() {
+  throw std::runtime_error("the problem file has changed since it was read");
+}
+
 YAML::Node JointsNode(const RobotModel& calibrated, const YAML::Node& old) {
-  if (!old.IsSequence() || old.size() != calibrated.joints.size()) {
-    throw std::runtime_error("the problem file has changed since it was read");
-  }
+  if (!old.IsSequence() || old.size() != calibrated.joints.size()) ThrowChanged();
   YAML::Node joints(YAML::NodeType::Sequence);
   for (std::size_t i = 0; i < old.size(); ++i) {
     joints.push_back(JointNode(calibrated.joints[i], old[i]));
@@ -151,10 +147,39 @@ YAML::Node RobotNode(const RobotModel& calibrated, const YAML::Node& old) {
   return robot;
 }
 
+/// An effect with what was found for it; as it stands where it was held already.
+YAML::Node EffectNode(const EffectRequest& effect, const YAML::Node& old) {
+  if (!effect.held || !Child(old, "values").IsNull()) return old;
+  YAML::Node values = FlowMap();
+  for (const auto& [name, value] : effect.values) values[name] = Digits(value);
+  YAML::Node node = Without({}, old);
+  node["values"] = values;
+  return node;
+}
+
+YAML::Node ParametersNode(const std::vector<EffectRequest>& effects, const YAML::Node& old) {
+  YAML::Node parameters(YAML::NodeType::Map);
+  for (const auto& entry : old) {
+    const std::string key = entry.first.Scalar();
+    if (key != "effects") {
+      parameters[key] = entry.second;
+      continue;
+    }
+    if (!entry.second.IsSequence() || entry.second.size() != effects.size()) ThrowChanged();
+    YAML::Node list(YAML::NodeType::Sequence);
+    for (std::size_t k = 0; k < effects.size(); ++k) {
+      list.push_back(EffectNode(effects[k], entry.second[k]));
+    }
+    parameters[key] = list;
+  }
+  return parameters;
+}
+
 }  // namespace
 
 std::string CalibratedYaml(const ProblemSpec& spec,
                            const RobotModel& calibrated,
+                           const std::vector<EffectRequest>& effects,
                            const std::string& recording_path) {
   const YAML::Node original = YAML::LoadFile(spec.file);
   YAML::Node root(YAML::NodeType::Map);
@@ -164,17 +189,22 @@ std::string CalibratedYaml(const ProblemSpec& spec,
       root["recording"] = recording_path;
     } else if (key == "robot") {
       root["robot"] = RobotNode(calibrated, entry.second);
+    } else if (key == "parameters") {
+      root["parameters"] = ParametersNode(effects, entry.second);
     } else {
       root[key] = entry.second;
     }
   }
+  const bool held = std::any_of(
+      effects.begin(), effects.end(), [](const EffectRequest& effect) { return effect.held; });
   YAML::Emitter emitter;
   emitter << root;
   return fmt::format(
              "# Made by ceres_dhcal from {}: the nominal values of the robot are the ones\n"
-             "# identified from its recording. Its other keys are as they were; its comments are "
-             "gone.\n",
-             Printable(std::filesystem::path(spec.file).filename().string())) +
+             "# identified from its recording{}.\n"
+             "# Its other keys are as they were; its comments are gone.\n",
+             Printable(std::filesystem::path(spec.file).filename().string()),
+             held ? ", and its effects are held at what was found" : "") +
          emitter.c_str() + "\n";
 }
 

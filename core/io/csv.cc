@@ -10,6 +10,15 @@
 
 namespace dhcal {
 
+namespace {
+
+/// A line without any content; spreadsheets write blank lines as commas alone.
+bool IsBlankLine(std::string_view line) {
+  return line.find_first_not_of(", \t") == std::string_view::npos;
+}
+
+}  // namespace
+
 SourceLocation CsvTable::Where(const Row& row, const char* at) const {
   const char* const line_begin = text_->data() + row.begin;
   const std::string_view before(line_begin, static_cast<std::size_t>(at - line_begin));
@@ -130,7 +139,12 @@ bool CsvParser::ReadHeader(const Row& row, std::string_view line) {
   table_.header_ = {row, line_cells_};
   for (int i = 0; i < table_.num_columns(); ++i) {
     if (!table_.name(i).empty()) continue;
-    errors_->Error(table_.NameWhere(i), fmt::format("column {} of the header has no name", i + 1));
+    const bool last = i + 1 == table_.num_columns();
+    errors_->Error(table_.NameWhere(i),
+                   fmt::format("column {} of the header has no name; {}, or name the column",
+                               i + 1,
+                               last ? "delete the comma at the end of the header and of the rows"
+                                    : "delete the column"));
   }
   return true;
 }
@@ -163,7 +177,7 @@ std::optional<CsvTable> CsvParser::Parse() {
   std::string_view line;
   while (NextLine(&line)) {
     const std::string_view content = Trim(line);
-    if (content.empty() || content[0] == '#') continue;
+    if (IsBlankLine(content) || content[0] == '#') continue;
     if (have_header) {
       ReadRow(row_, line);
     } else if (ReadHeader(row_, line)) {

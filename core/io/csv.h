@@ -15,8 +15,8 @@
 
 namespace dhcal {
 
-/// Cells as text, without the quotes and blanks around them. Lines that start with '#' and blank
-/// lines are left out.
+/// Cells as text, without the quotes and blanks around them. Lines that start with '#' and lines of
+/// nothing but blanks and commas are left out.
 class CsvTable {
  public:
   int num_columns() const { return static_cast<int>(header_.cells.size()); }

@@ -44,6 +44,18 @@ void ReadValues(YamlMap* map, bool required, EffectRequest* request) {
   }
 }
 
+/// A setting's number, after an error 0.
+double ReadSetting(const std::string& key, const RobotModel& robot, YamlMap* map) {
+  if (const std::optional<WholeRange> range = WholeSetting(key, robot.num_joints())) {
+    int number = 0;
+    map->Read(key, &number, range->low, range->high);
+    return number;
+  }
+  double number = 0;
+  map->Read(key, &number);
+  return number;
+}
+
 void ReadEffect(const YamlValue& item,
                 const RobotModel& robot,
                 bool with_values,
@@ -60,15 +72,12 @@ void ReadEffect(const YamlValue& item,
   EffectRequest request;
   request.effect = description.name;
   request.where = item.where();
-  map.set_remark(fmt::format(" of effect '{}'", description.name));
+  map.set_remark(fmt::format("of effect '{}'", description.name));
   if (description.has_joint && map.RequireKey("joint")) {
     map.Read("joint", &request.joint, 1, std::max(robot.num_joints(), 1));
   }
   for (const auto& [key, meaning] : description.settings) {
-    if (!map.Has(key)) continue;
-    double number = 0;
-    map.Read(key, &number);
-    request.settings[key] = number;
+    if (map.Has(key)) request.settings[key] = ReadSetting(key, robot, &map);
   }
   ReadValues(&map, with_values, &request);
   request.held = !with_values && !request.values.empty();

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "core/base/text.h"
+#include "core/io/effect_checks.h"
 #include "core/io/parameter_names.h"
-#include "core/physics/registry.h"
 
 namespace dhcal {
 
@@ -32,7 +32,6 @@ class FitChecker {
   void CheckAnchors();
   void CheckRuns();
   void CheckSets();
-  void CheckEffects();
 
  private:
   SourceLocation AtFile() const { return {recording_.file}; }
@@ -196,20 +195,6 @@ void FitChecker::CheckRuns() {
   }
 }
 
-void FitChecker::CheckEffects() {
-  const std::vector<EffectRequest>& effects = spec_.parameters.effects;
-  if (effects.empty() || recording_.num_rows() == 0) return;
-  const PhysicsContext context(spec_.robot, recording_, {spec_.robot.X_WB});
-  for (const EffectRequest& request : effects) {
-    const std::string reason = FindEffect(request.effect)->NotTestable(context, request);
-    if (reason.empty()) continue;
-    Error(request.where,
-          fmt::format("the effect {} cannot be estimated from this recording: {}",
-                      InstanceName(request),
-                      reason));
-  }
-}
-
 void FitChecker::CheckSets() {
   const std::vector<bool>& is_test = recording_.is_test;
   if (is_test.empty() || std::find(is_test.begin(), is_test.end(), false) != is_test.end()) return;
@@ -227,7 +212,7 @@ void CheckRecordingFits(const ProblemSpec& spec,
   checker.CheckAnchors();
   checker.CheckRuns();
   checker.CheckSets();
-  checker.CheckEffects();
+  CheckEffectsFit(spec, recording, diagnostics);
 }
 
 }  // namespace dhcal

@@ -22,6 +22,10 @@ std::string NotANumber(std::string_view cell) {
   return message;
 }
 
+bool IsBlankOrNan(std::string_view cell) {
+  return cell.empty() || cell == "nan" || cell == "NaN" || cell == "NAN";
+}
+
 }  // namespace
 
 const NumberRule kAnyNumber = {"a number", [](double) { return true; }};
@@ -82,11 +86,26 @@ bool CellReader::IsNumeric(int column_idx) const {
   bool any = false;
   for (int row = 0; row < table_.num_rows(); ++row) {
     const std::string_view cell = table_.cell(row, column_idx);
-    if (cell.empty()) continue;
+    if (IsBlankOrNan(cell)) continue;
     if (!ParseDouble(cell)) return false;
     any = true;
   }
   return any;
+}
+
+std::optional<int> CellReader::FirstBlankLine(int column_idx) const {
+  for (int row = 0; row < table_.num_rows(); ++row) {
+    if (IsBlankOrNan(table_.cell(row, column_idx))) return table_.line(row);
+  }
+  return std::nullopt;
+}
+
+Eigen::VectorXd CellReader::NumbersOrNaN(int column_idx) const {
+  Eigen::VectorXd numbers(table_.num_rows());
+  for (int row = 0; row < table_.num_rows(); ++row) {
+    numbers[row] = ParseDouble(table_.cell(row, column_idx)).value_or(kBlank);
+  }
+  return numbers;
 }
 
 void CellReader::CheckNoneBlank(int column_idx) const {

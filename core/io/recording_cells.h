@@ -2,6 +2,7 @@
 #ifndef DHCAL_CORE_IO_RECORDING_CELLS_H_
 #define DHCAL_CORE_IO_RECORDING_CELLS_H_
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,13 @@ class CellReader {
                               bool may_be_blank,
                               std::vector<std::string>* names) const;
 
-  /// Whether the cells that are not blank are numbers, and there are some.
+  /// Whether the cells that are not blank are numbers, and there are some. "nan" counts as blank,
+  /// since other programs write blanks so.
   bool IsNumeric(int column_idx) const;
+  /// Line of the first cell that is blank or "nan"; nothing when there is none.
+  std::optional<int> FirstBlankLine(int column_idx) const;
+  /// Numbers of a column that `IsNumeric`; blank and "nan" cells are NaN.
+  Eigen::VectorXd NumbersOrNaN(int column_idx) const;
 
   /// Cells of a column that needs a number in every row.
   void CheckNoneBlank(int column_idx) const;

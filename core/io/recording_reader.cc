@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -16,6 +18,11 @@
 namespace dhcal {
 
 namespace {
+
+/// Names of the columns that the format does not have, as the warning about them lists them.
+struct UnknownColumns {
+  std::string kept, with_blanks, of_text;
+};
 
 /// Fills a Recording field by field from the columns found.
 class RecordingFiller {
@@ -35,7 +42,7 @@ class RecordingFiller {
   std::vector<int> Labels(RecordingField field, bool may_be_blank, std::vector<std::string>* names);
   std::vector<bool> TestRows();
   std::vector<ExtraColumn> Extra();
-  void WarnOfUnknown(const std::string& kept, const std::string& ignored);
+  void WarnOfUnknown(const UnknownColumns& unknown);
 
   const CsvTable& table_;
   const RecordingLayout& layout_;
@@ -113,29 +120,39 @@ std::vector<bool> RecordingFiller::TestRows() {
   return is_test;
 }
 
-void RecordingFiller::WarnOfUnknown(const std::string& kept, const std::string& ignored) {
+void RecordingFiller::WarnOfUnknown(const UnknownColumns& unknown) {
   std::string message;
-  if (!kept.empty()) message = "unknown columns, kept as possible drivers: " + kept;
-  if (!ignored.empty()) {
-    message += (message.empty() ? "" : "; ") + ("columns of text, ignored: " + ignored);
+  for (const auto& [what, names] :
+       {std::pair("unknown columns, kept as possible drivers: ", &unknown.kept),
+        std::pair("unknown columns, ignored because of blank cells: ", &unknown.with_blanks),
+        std::pair("columns of text, ignored: ", &unknown.of_text)}) {
+    if (names->empty()) continue;
+    message += (message.empty() ? "" : "; ") + (what + *names);
   }
   if (!message.empty()) errors_->Warning(table_.NameWhere(0), message);
 }
 
 std::vector<ExtraColumn> RecordingFiller::Extra() {
   std::vector<ExtraColumn> extra;
-  std::string kept, ignored;
+  UnknownColumns unknown;
   for (std::size_t i = 0; i < layout_.unknown.size(); ++i) {
     const int column = layout_.unknown[i];
     const std::string name(table_.name(column));
     const bool numeric = cells_.IsNumeric(column);
-    if (numeric) extra.push_back({name, cells_.ReadNumbers(column)});
-    std::string* const list = numeric ? &kept : &ignored;
+    const std::optional<int> blank = cells_.FirstBlankLine(column);
+    // With blanks it drives nothing, but a copy of the recording still has it.
+    if (numeric) extra.push_back({name, cells_.NumbersOrNaN(column)});
+    std::string* const list = !numeric ? &unknown.of_text
+                              : blank  ? &unknown.with_blanks
+                                       : &unknown.kept;
     *list += (list->empty() ? "'" : ", '") + Printable(name) + "'";
+    if (numeric && blank) *list += fmt::format(" (first in line {})", *blank);
     if (!layout_.hints[i].empty()) *list += " (did you mean '" + layout_.hints[i] + "'?)";
   }
-  if (layout_.Has(RecordingField::kEdge)) ignored += ignored.empty() ? "'edge'" : ", 'edge'";
-  WarnOfUnknown(kept, ignored);
+  if (layout_.Has(RecordingField::kEdge)) {
+    unknown.of_text += unknown.of_text.empty() ? "'edge'" : ", 'edge'";
+  }
+  WarnOfUnknown(unknown);
   if (!layout_.Has(RecordingField::kHead)) return extra;
   for (const int column : layout_.fields.at(RecordingField::kHead).column) {
     if (column < 0) continue;

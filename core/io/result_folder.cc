@@ -130,7 +130,9 @@ std::vector<NamedContent> Compose(const ProblemSpec& spec,
   // Without a usable fit there is no calibrated robot to run again.
   if (result.best() != nullptr) {
     const std::string path = RecordingPath(spec, result.simulated || keep_recording, folder);
-    files.push_back({"calibrated.yaml", CalibratedYaml(spec, result.calibrated, path)});
+    const std::vector<EffectRequest> effects =
+        EffectsAsFound(spec, recording, result.best()->parameters);
+    files.push_back({"calibrated.yaml", CalibratedYaml(spec, result.calibrated, effects, path)});
   }
   return files;
 }

@@ -3,6 +3,7 @@
 #define DHCAL_CORE_IO_RESULT_WRITER_H_
 
 #include <string>
+#include <vector>
 
 #include "core/base/diagnostics.h"
 #include "core/model/problem_spec.h"
@@ -20,10 +21,18 @@ std::string ResidualsToCsv(const Result& result, const Recording& recording);
 /// A recording as CSV in the program's own input format, full precision.
 std::string RecordingToCsv(const Recording& recording, const RobotModel& robot);
 
-/// The problem file with the corrected values as its nominal ones; `recording_path` is what its
-/// key `recording` will say (relative to where the text will be stored).
+/// The problem's effects, those that were estimated held at what a fit of `recording` found. As the
+/// problem has them where nothing but effects was estimated.
+std::vector<EffectRequest> EffectsAsFound(const ProblemSpec& spec,
+                                          const Recording& recording,
+                                          const std::vector<ParameterResult>& parameters);
+
+/// The problem file with the corrected values as its nominal ones, and its effects held where
+/// `effects` are; `recording_path` is what its key `recording` will say (relative to where the text
+/// will be stored).
 std::string CalibratedYaml(const ProblemSpec& spec,
                            const RobotModel& calibrated,
+                           const std::vector<EffectRequest>& effects,
                            const std::string& recording_path);
 
 /// Checks, before anything is computed, that `directory` can be written: it is absent, empty, or

@@ -39,7 +39,11 @@ Eigen::Vector3d RpyFromRotation(const Eigen::Matrix3d& R) {
     // Only yaw -+ roll is determined; choose roll = 0.
     return {0.0, pitch, std::atan2(-R(0, 1), R(1, 1))};
   }
-  return {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))};
+  // The roll that is left once this very yaw is undone: exact together with it, even where the yaw
+  // itself is badly determined.
+  const double yaw = std::atan2(R(1, 0), R(0, 0));
+  const double s = std::sin(yaw), c = std::cos(yaw);
+  return {std::atan2(s * R(0, 2) - c * R(1, 2), c * R(1, 1) - s * R(0, 1)), pitch, yaw};
 }
 
 }  // namespace dhcal

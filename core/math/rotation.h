@@ -77,7 +77,8 @@ Eigen::Matrix3d LeftJacobianInverseSO3(const Eigen::Vector3d& r);
 /// R = Rz(yaw) Ry(pitch) Rx(roll), angles [rad]: turns about the fixed x, then y, then z.
 Eigen::Matrix3d RotationFromRpy(const Eigen::Vector3d& rpy);
 
-/// Roll, pitch, yaw [rad] of R; at pitch = +-90 deg roll is set to zero.
+/// Roll, pitch, yaw [rad] that give R back to rounding, also close to pitch = +-90 deg, where only
+/// roll -+ yaw is determined; right there, roll is zero.
 Eigen::Vector3d RpyFromRotation(const Eigen::Matrix3d& R);
 
 }  // namespace dhcal

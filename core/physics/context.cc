@@ -27,6 +27,10 @@ Eigen::Vector3d PhysicsContext::p_WQ(int row_idx) const {
   if (recording_.p_WQ.rows() > 0 && recording_.p_WQ.row(row_idx).allFinite()) {
     return recording_.p_WQ.row(row_idx).transpose();
   }
+  return nominal_p_WQ(row_idx);
+}
+
+Eigen::Vector3d PhysicsContext::nominal_p_WQ(int row_idx) const {
   return X_WB(row_idx) * (X_BL(row_idx, num_joints() - 1) * robot_.X_TQ.translation());
 }
 

@@ -62,6 +62,7 @@ class PhysicsContext {
   }
   /// Measured point Q in W: as measured, else at the nominal robot [m].
   Eigen::Vector3d p_WQ(int row_idx) const;
+  Eigen::Vector3d nominal_p_WQ(int row_idx) const;
 
   /// The six base slots' perturbation that moves Q as the twist does, to first order.
   Eigen::Matrix<double, 6, 1> AsBaseSlots(int row_idx, const Twist& twist) const;

@@ -1,5 +1,7 @@
 #include "core/physics/registry.h"
 
+#include <algorithm>
+
 #include <glog/logging.h>
 
 namespace dhcal {
@@ -57,6 +59,16 @@ std::vector<std::string> EffectNames() {
   std::vector<std::string> names;
   for (const Effect* const effect : AllEffects()) names.push_back(effect->Describe().name);
   return names;
+}
+
+std::optional<WholeRange> WholeSetting(const std::string& setting, int num_joints) {
+  constexpr int kMostRows = 10'000'000;
+  if (setting == "driver_joint") return WholeRange{1, std::max(num_joints, 1)};
+  if (setting == "at_row") return WholeRange{1, kMostRows};
+  for (const char* const flag : {"flank", "measured_torque", "free_masses"}) {
+    if (setting == flag) return WholeRange{0, 1};
+  }
+  return std::nullopt;
 }
 
 std::vector<EffectColumn> EffectColumns(const PhysicsContext& context,

@@ -3,6 +3,7 @@
 #ifndef DHCAL_CORE_PHYSICS_REGISTRY_H_
 #define DHCAL_CORE_PHYSICS_REGISTRY_H_
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,15 @@ const Effect* FindEffect(const std::string& name);
 const Effect& CurveEffect();
 
 std::vector<std::string> EffectNames();
+
+struct WholeRange {
+  int low = 0;
+  int high = 0;
+};
+
+/// What a setting of this name may be where it counts something or switches it on (1) or off (0);
+/// nothing where it may be any number.
+std::optional<WholeRange> WholeSetting(const std::string& setting, int num_joints);
 
 /// Columns of a request's effect; the effect must exist and be testable.
 std::vector<EffectColumn> EffectColumns(const PhysicsContext& context,

@@ -1,5 +1,6 @@
 // The report's section on left-out physics.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -33,8 +34,30 @@ std::string Probability(double p) {
   return p < 1e-3 ? fmt::format("{:.1e}", p) : fmt::format("{:.3f}", p);
 }
 
+/// How a joint's coordinate is printed.
+struct JointUnit {
+  double size = 1;  // [SI]
+  std::string name;
+};
+
+JointUnit UnitOfJoint(const RobotModel& robot, int joint) {
+  const bool slides = joint < robot.num_joints() &&
+                      robot.joints[static_cast<std::size_t>(joint)].type == JointType::kPrismatic;
+  return slides ? JointUnit{kMillimetre, "mm"} : JointUnit{kDegree, "deg"};
+}
+
+/// Unit of what drives a curve: a joint's coordinate ("q3"), or something else as it stands.
+JointUnit UnitOfDriver(const RobotModel& robot, const std::string& driver) {
+  for (int joint = 0; joint < robot.num_joints(); ++joint) {
+    if (driver == fmt::format("q{}", joint + 1)) return UnitOfJoint(robot, joint);
+  }
+  return {};
+}
+
 std::string MisfitWords(const DiagnosisResult& d) {
   const Misfit& m = d.misfit;
+  // Nothing was measured where the complete geometry has no fit; the summary says so.
+  if (m.rows < 0) return "";
   const std::string noise =
       m.noise_known
           ? fmt::format("known noise of {}", WithMillimetres(m.noise_sigma))
@@ -44,8 +67,7 @@ std::string MisfitWords(const DiagnosisResult& d) {
                 WithMillimetres(m.noise_sigma));
   std::string text = fmt::format(
       "Complete geometry leaves {} RMS per coordinate over {} rows; {}. Probability that noise "
-      "alone "
-      "looks like this: {} (alarm below {:g}).",
+      "alone looks like this: {} (alarm below {:g}).",
       WithMillimetres(m.rms),
       m.rows,
       noise,
@@ -54,7 +76,7 @@ std::string MisfitWords(const DiagnosisResult& d) {
   if (m.outliers > 0) {
     text += fmt::format(" {} set aside as outliers.", Counted(m.outliers, "row"));
   }
-  return text;
+  return Wrap("  ", text);
 }
 
 std::string BeforeAfter(const Finding& f) {
@@ -70,7 +92,22 @@ std::string BeforeAfter(const Finding& f) {
   return text + fmt::format(" (p = {})", Probability(f.p_value));
 }
 
-std::string FindingWords(std::size_t number, const Finding& f) {
+/// "10.0, -20.0 deg"; with a prismatic joint each its own unit: "10.0 deg, 250.0 mm".
+std::string PoseWords(const RobotModel& robot, const Eigen::VectorXd& q) {
+  const bool all_turn =
+      std::all_of(robot.joints.begin(), robot.joints.end(), [](const JointRow& row) {
+        return row.type == JointType::kRevolute;
+      });
+  std::vector<std::string> joints;
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    const JointUnit unit = UnitOfJoint(robot, static_cast<int>(k));
+    joints.push_back(fmt::format("{:.1f}", q[k] / unit.size) +
+                     (all_turn ? std::string() : fmt::format(" {}", unit.name)));
+  }
+  return fmt::format("{}{}", fmt::join(joints, ", "), all_turn ? " deg" : "");
+}
+
+std::string FindingWords(const RobotModel& robot, std::size_t number, const Finding& f) {
   std::string sentence = f.sentence;
   if (!sentence.empty()) sentence[0] = static_cast<char>(std::toupper(sentence[0]));
   std::string text = "\n" + Wrap(fmt::format("  {}. ", number), sentence + ".");
@@ -97,16 +134,12 @@ std::string FindingWords(std::size_t number, const Finding& f) {
   }
   if (!f.separating_advice.empty()) text += Wrap("     Measure next, ", f.separating_advice + ".");
   for (std::size_t k = 0; k < f.separating_poses.size() && k < kMostPoses; ++k) {
-    std::vector<std::string> angles;
-    for (const double q : f.separating_poses[k].q) {
-      angles.push_back(fmt::format("{:.1f}", q / kDegree));
-    }
-    text += Wrap("       pose: ", fmt::format("{} deg", fmt::join(angles, ", ")));
+    text += Wrap("       pose: ", PoseWords(robot, f.separating_poses[k].q));
   }
   return text;
 }
 
-std::string RestWords(const DiagnosisResult& d) {
+std::string RestWords(const RobotModel& robot, const DiagnosisResult& d) {
   if (!d.unexplained) return "";
   const Unexplained& rest = *d.unexplained;
   std::string text =
@@ -120,12 +153,12 @@ std::string RestWords(const DiagnosisResult& d) {
                        rest.driver));
   if (rest.curve.empty()) return text;
   const bool angle = rest.unit == "rad";
-  const bool driver_angle = rest.driver.size() > 1 && rest.driver[0] == 'q';
-  TextTable table({{rest.driver, driver_angle ? "[deg]" : ""},
+  const JointUnit driver = UnitOfDriver(robot, rest.driver);
+  TextTable table({{rest.driver, driver.name.empty() ? "" : "[" + driver.name + "]"},
                    {rest.slot, angle ? "[mrad]" : "[mm]"},
                    {"+-", angle ? "[mrad]" : "[mm]"}});
   for (const CurvePoint& point : rest.curve) {
-    table.AddRow({FixedWithin(point.driver_value / (driver_angle ? kDegree : 1), 1, 10),
+    table.AddRow({FixedWithin(point.driver_value / driver.size, 1, 10),
                   Fixed(point.amount / 1e-3, 3),
                   Fixed(point.sigma / 1e-3, 3)});
   }
@@ -169,15 +202,21 @@ std::string MovedTable(const DiagnosisResult& d) {
   return "\n  Corrections that had swallowed part of it\n" + table.ToString();
 }
 
+/// A limit that says something: a number, or that no size would be found (NaN, "never").
+bool IsLimit(double limit) { return std::isnan(limit) || (std::isfinite(limit) && limit > 0); }
+
 std::string HiddenTable(const DiagnosisResult& d) {
-  if (d.hidden.empty()) return "";
+  std::vector<HiddenRisk> shown;
+  for (const HiddenRisk& risk : d.hidden) {
+    if (shown.size() < kMostHidden && IsLimit(risk.limit)) shown.push_back(risk);
+  }
+  if (shown.empty()) return "";
   TextTable table({{"not excluded", "", 44, TextTable::Align::kLeft},
                    {"visible", "[part]"},
                    {"smallest found", "[SI]"},
                    {"unit", "", 22, TextTable::Align::kLeft},
                    {"risk elsewhere", "[mm]"}});
-  for (std::size_t k = 0; k < d.hidden.size() && k < kMostHidden; ++k) {
-    const HiddenRisk& risk = d.hidden[k];
+  for (const HiddenRisk& risk : shown) {
     table.AddRow({InstanceName(risk.effect),
                   Fixed(risk.visibility, 3),
                   std::isnan(risk.limit) ? "never" : Scientific(risk.limit, 1),
@@ -191,26 +230,36 @@ std::string HiddenTable(const DiagnosisResult& d) {
          table.ToString();
 }
 
+/// How all that was found does together, as far as it is known: where only geometry was found there
+/// is no refit, and the numbers are of the file's own geometry and the complete one.
+std::string TogetherWords(const DiagnosisResult& d) {
+  if (std::isnan(d.rms_test_before)) return "";
+  const std::string unseen = fmt::format("on rows not fitted ({}) {} -> {} mm",
+                                         d.validation_method,
+                                         Millimetres(d.rms_test_before),
+                                         Millimetres(d.rms_test_after));
+  if (std::isnan(d.rms_train_before)) {
+    return "\n" + Wrap("  ", fmt::format("Complete geometry: RMS {}.", unseen));
+  }
+  return "\n" + Wrap("  ",
+                     fmt::format("All physics together: RMS on fitted rows {} -> {} mm; {}.",
+                                 Millimetres(d.rms_train_before),
+                                 Millimetres(d.rms_train_after),
+                                 unseen));
+}
+
 }  // namespace
 
-std::string DiagnosisSection(const Result& result) {
+std::string DiagnosisSection(const ProblemSpec& spec, const Result& result) {
   if (!result.diagnosis) return "";
   const DiagnosisResult& d = *result.diagnosis;
   std::string text = Heading("LEFT-OUT PHYSICS: " + Upper(ToString(d.verdict)));
   text += Wrap("  ", fmt::format("In short: {}.", d.summary));
-  text += Wrap("  ", MisfitWords(d));
-  for (std::size_t k = 0; k < d.findings.size(); ++k) text += FindingWords(k + 1, d.findings[k]);
-  if (!std::isnan(d.rms_test_before)) {
-    text += "\n" + Wrap("  ",
-                        fmt::format("All physics together: RMS on fitted rows {} -> {} mm; on rows "
-                                    "not fitted ({}) {} -> {} mm.",
-                                    Millimetres(d.rms_train_before),
-                                    Millimetres(d.rms_train_after),
-                                    d.validation_method,
-                                    Millimetres(d.rms_test_before),
-                                    Millimetres(d.rms_test_after)));
+  text += MisfitWords(d);
+  for (std::size_t k = 0; k < d.findings.size(); ++k) {
+    text += FindingWords(spec.robot, k + 1, d.findings[k]);
   }
-  text += RestWords(d) + MovedTable(d);
+  text += TogetherWords(d) + RestWords(spec.robot, d) + MovedTable(d);
   if (d.misfit.p_value <= d.false_alarm) text += MapTable(d);
   text += HiddenTable(d);
   std::vector<std::string> untested;

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "core/base/units.h"
+#include "core/math/statistics.h"
 #include "core/report/format.h"
 #include "core/report/sections.h"
 #include "core/report/text_table.h"
@@ -19,6 +20,9 @@ constexpr std::size_t kMostFixedNames = 40;
 constexpr int kNameWidth = 40;
 constexpr int kNumberWidth = 9;
 constexpr int kValueWidth = 10;
+// A reduced chi-square this large is no noise that was stated a little too small, ...
+constexpr double kFarAboveNoise = 1.5;
+constexpr double kNoChance = 1e-3;  // ... and, with few readings, this improbable no chance.
 
 /// The units that one table prints.
 struct PrintedUnits {
@@ -117,6 +121,53 @@ std::string FixedParameters(const FitResult& fit) {
   return "\n" + Wrap("  ", fmt::format("Held at their nominal values: {}", fmt::join(names, ", ")));
 }
 
+/// True where the diagnosis came to an answer: it gives up when the complete geometry has no fit.
+bool IsDiagnosed(const Result& result) {
+  return result.diagnosis && result.diagnosis->misfit.rows >= 0;
+}
+
+/// True if the readings are missed by more than their noise: by the diagnosis, else by chi-square.
+bool LeavesMoreThanNoise(const Result& result, const FitResult& fit) {
+  if (IsDiagnosed(result)) return result.diagnosis->verdict != DiagnosisVerdict::kConsistent;
+  if (!(fit.chi2_reduced > kFarAboveNoise)) return false;
+  const double squares = 2 * fit.cost;
+  return ChiSquareTail(squares, squares / fit.chi2_reduced) < kNoChance;
+}
+
+/// True if all that was left out is geometry, which the readings took into other parameters.
+bool OnlyGeometryLeftOut(const Result& result) {
+  if (!IsDiagnosed(result) || result.diagnosis->verdict != DiagnosisVerdict::kExplained) {
+    return false;
+  }
+  const std::vector<Finding>& findings = result.diagnosis->findings;
+  return std::all_of(findings.begin(), findings.end(), [](const Finding& finding) {
+    return finding.effect_class == "geometry";
+  });
+}
+
+/// For which parameters the intervals hold. They know of noise and tolerances: what the model
+/// leaves out moves parameters by any number of sigmas.
+std::string IntervalWords(const Result& result, const FitResult& fit) {
+  if (!LeavesMoreThanNoise(result, fit)) {
+    return "Sigma and the 95 % interval are those of the correction. They hold for the "
+           "parameters called identified; for the others see the next section.";
+  }
+  const bool with_effects = std::any_of(
+      fit.parameters.begin(), fit.parameters.end(), [](const ParameterResult& parameter) {
+        return parameter.unit == Unit::kOther;
+      });
+  const std::string why =
+      OnlyGeometryLeftOut(result)
+          ? "The geometry that the file estimates is not complete, so the intervals do not hold"
+          : fmt::format("The {} model does not meet the noise, so the intervals do not hold",
+                        with_effects ? "fitted" : "rigid");
+  return fmt::format(
+      "Sigma and the 95 % interval are those of the correction. {}, not even for the parameters "
+      "called identified: what is left out has moved parameters{}.",
+      why,
+      IsDiagnosed(result) ? ", see LEFT-OUT PHYSICS" : "");
+}
+
 }  // namespace
 
 bool IsNoiseFree(const Result& result) {
@@ -128,10 +179,7 @@ std::string ParameterSection(const Result& result) {
   const FitResult* const fit = result.best();
   if (fit == nullptr || fit->parameters.empty()) return "";
   const bool noise_free = IsNoiseFree(result);
-  return Heading("PARAMETERS") +
-         Wrap("  ",
-              "Sigma and the 95 % interval are those of the correction. They hold for the "
-              "parameters called identified; for the others see the next section.") +
+  return Heading("PARAMETERS") + Wrap("  ", IntervalWords(result, *fit)) +
          UnitTable(*fit, Unit::kRadian, noise_free) + UnitTable(*fit, Unit::kMetre, noise_free) +
          EffectTable(*fit) + FixedParameters(*fit);
 }

@@ -37,7 +37,7 @@ std::string ValidationSection(const Result& result);
 std::string ResidualSection(const Result& result);
 
 /// What physics was left out, how sure that is, and what stays hidden.
-std::string DiagnosisSection(const Result& result);
+std::string DiagnosisSection(const ProblemSpec& spec, const Result& result);
 
 /// What else a reader should know.
 std::string NotesSection(const Result& result);

@@ -27,10 +27,10 @@ std::string Title(const Result& result) {
 std::string TextReport(const ProblemSpec& spec, const Result& result) {
   const std::string head = Title(result) + InputSection(spec, result);
   if (result.best() == nullptr) {
-    return head + NoOutcomeSection(result) + DiagnosisSection(result) + SolverSection(result) +
-           NotesSection(result);
+    return head + NoOutcomeSection(result) + DiagnosisSection(spec, result) +
+           SolverSection(result) + NotesSection(result);
   }
-  return head + OutcomeSection(result) + DiagnosisSection(result) + SolverSection(result) +
+  return head + OutcomeSection(result) + DiagnosisSection(spec, result) + SolverSection(result) +
          ParameterSection(result) + IdentifiabilitySection(result) + ComparisonSection(result) +
          ValidationSection(result) + ResidualSection(result) + NotesSection(result);
 }

@@ -121,17 +121,17 @@ void DesignRows::AddSeries(const Eigen::VectorXd& state,
     Eigen::Vector3d y = Eigen::Vector3d::Zero();  // [m] up to the series' offset
   };
   std::map<int, Last> of_row;
-  std::vector<double> inverse_sigma;
+  std::vector<Eigen::Triplet<double>> offsets;
+  std::vector<double> length2;  // of each series' offsets
   const auto add = [&](int row, const Last& last) {
     const double sigma = c_.RowSigma(row, noise);
     const PoseWithDerivatives pose = PoseAt(c_, state, row);
     const Eigen::VectorXd y = (last.y - pose.p_WQ) / sigma;
+    for (int k = 0; k < 3; ++k) offsets.emplace_back(filled_ + k, 3 * last.series + k, 1 / sigma);
+    length2.resize(static_cast<std::size_t>(num_series_));
+    length2[static_cast<std::size_t>(last.series)] += 1 / (sigma * sigma);
     Append(y, pose.J_p / sigma, row, nullptr, -1);
     of_row[row] = last;
-    for (int k = 0; k < 3; ++k) {
-      series_.push_back(last.series);
-      inverse_sigma.push_back(1 / sigma);
-    }
   };
   for (const Reading& reading : readings) {
     if (of_row.count(reading.previous_idx) == 0) {
@@ -144,21 +144,13 @@ void DesignRows::AddSeries(const Eigen::VectorXd& state,
     next.y += MeasuredDisplacement(c_.recording, reading);
     add(reading.row_idx, next);
   }
-  inverse_sigma_ = Eigen::Map<Eigen::VectorXd>(inverse_sigma.data(),
-                                               static_cast<Eigen::Index>(inverse_sigma.size()));
-}
-
-void DesignRows::TakeOutOffsets(Eigen::VectorXd* v) const {
-  if (num_series_ == 0) return;
-  Eigen::VectorXd product = Eigen::VectorXd::Zero(3 * num_series_);
-  Eigen::VectorXd square = Eigen::VectorXd::Zero(3 * num_series_);
-  const auto offset = [&](int k) { return 3 * series_[static_cast<std::size_t>(k)] + k % 3; };
-  for (int k = 0; k < num_rows(); ++k) {
-    product[offset(k)] += inverse_sigma_[k] * (*v)[k];
-    square[offset(k)] += inverse_sigma_[k] * inverse_sigma_[k];
-  }
-  for (int k = 0; k < num_rows(); ++k) {
-    (*v)[k] -= inverse_sigma_[k] * product[offset(k)] / square[offset(k)];
+  offsets_.resize(filled_, Eigen::Index{3} * num_series_);
+  offsets_.setFromTriplets(offsets.begin(), offsets.end());
+  for (int k = 0; k < offsets_.cols(); ++k) {
+    const double length = std::sqrt(length2[static_cast<std::size_t>(k / 3)]);
+    for (Eigen::SparseMatrix<double>::InnerIterator it(offsets_, k); it; ++it) {
+      it.valueRef() /= length;
+    }
   }
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include "core/physics/effect.h"
 #include "problems/calibration.h"
@@ -45,6 +46,9 @@ class DesignRows {
   /// Rows less what the free offsets of series take.
   int degrees_of_freedom() const { return num_rows() - 3 * num_series_; }
 
+  /// Orthonormal basis of what those offsets take of the rows; no columns where there are none.
+  const Eigen::SparseMatrix<double>& offsets() const { return offsets_; }
+
   /// Whitened column of something that adds `weight` (per recording row) to slots.
   Eigen::VectorXd Column(const std::vector<SlotWeights>& slots) const;
   /// Columns of the calibration's parameters (effects switched on included).
@@ -63,7 +67,9 @@ class DesignRows {
                  const std::vector<Reading>& readings,
                  const Noise& noise);
   /// v without what the offsets of the series can take of it.
-  void TakeOutOffsets(Eigen::VectorXd* v) const;
+  void TakeOutOffsets(Eigen::VectorXd* v) const {
+    if (num_series_ > 0) *v -= offsets_ * (offsets_.transpose() * *v);
+  }
   void Append(const Eigen::VectorXd& y,
               const Eigen::MatrixXd& now,
               int row,
@@ -76,9 +82,8 @@ class DesignRows {
   Eigen::VectorXd y_;
   Eigen::MatrixXd now_, before_;
   std::vector<int> now_row_, before_row_;
-  std::vector<int> series_;        // of each row, with shared differences; else empty
-  Eigen::VectorXd inverse_sigma_;  // of each row, with shared differences
-  int num_series_ = 0;
+  int num_series_ = 0;  // with shared differences; else none
+  Eigen::SparseMatrix<double> offsets_;
 };
 
 }  // namespace dhcal

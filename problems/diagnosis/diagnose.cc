@@ -153,7 +153,10 @@ void Populate(const ProblemSpec& spec, HypothesisSpace* space, DiagnosisResult* 
     }
     if (effect->Describe().is_curve) continue;  // offered by the search
     if (candidates.empty() && effect->Place(context, {}).effect_class != "geometry") {
-      d->not_testable.push_back({effect->Describe().name, "needs " + effect->Describe().needs});
+      const std::string needs = effect->Describe().needs;
+      d->not_testable.push_back(
+          {effect->Describe().name,
+           needs.empty() ? "no joint or instant here that it could be at" : "needs " + needs});
     }
   }
   for (const MapBlock& block : MapBlocks(context)) space->AddMap(block);
@@ -257,10 +260,23 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
     return d;
   }
   const Calibration& c = before->calibration;
-  AddMissingGeometry(spec, recording, identified, *before, &d);
-
-  const std::vector<Reading> readings = Thinned(c.readings.fitted);
-  CleanRows clean = Clean(*before, readings);
+  // Readings that lie off are sought among all, so that the refit is spared those that the search
+  // passes over, too.
+  std::vector<Reading> readings = c.readings.fitted;
+  std::vector<int> off;
+  if (readings.size() > kMostReadings) {
+    const CleanRows all = Clean(*before, readings);
+    off = all.outliers;
+    readings = Thinned(all.readings);
+  }
+  const auto cleaned = [&] {
+    CleanRows rows = Clean(*before, readings);
+    rows.outliers.insert(rows.outliers.end(), off.begin(), off.end());
+    return rows;
+  };
+  CleanRows clean = cleaned();
+  const bool completed =
+      AddMissingGeometry(spec, recording, identified, *before, GoodReadings(c, clean), &d);
   if (c.readings.fitted.size() > kMostReadings) {
     d.notes.push_back(
         fmt::format("{} of {} rows were searched, evenly over the recording; the "
@@ -270,7 +286,7 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   }
   const PhysicsContext context = c.Context();
   SearchOptions options;
-  options.false_alarm = spec.diagnosis.false_alarm;
+  options.false_alarm = (completed ? 1 - kShareOfGeometry : 1) * spec.diagnosis.false_alarm;
   options.sigma_known = SourceOfNoise(c).all_given();
   options.nu = clean.nu;
   options.effects = spec.diagnosis.effects;
@@ -284,7 +300,7 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
       kWorthWhitening, kWhitenSigmas / std::sqrt(static_cast<double>(pass->clean.y.size())));
   if (!pass->outcome.consistent && rho > significant && pass->clean.rows->CanWhiten()) {
     say(fmt::format("again with the readings' serial correlation of {:.2f} taken out", rho));
-    auto white = std::make_unique<Pass>(context, Clean(*before, readings));
+    auto white = std::make_unique<Pass>(context, cleaned());
     Whiten(*before, std::min(rho, kMostCorrelation), &white->clean);
     d.not_testable.clear();
     Populate(spec, &white->space, &d);

@@ -11,6 +11,7 @@
 
 #include "core/base/rng.h"
 #include "core/base/units.h"
+#include "core/math/statistics.h"
 #include "core/physics/registry.h"
 #include "problems/assembly.h"
 #include "problems/diagnosis/projection.h"
@@ -59,6 +60,11 @@ Recording PosesElsewhere(const Recording& recording, const RobotModel& robot, in
     const double middle = (low + high) / 2;
     for (int k = 0; k < count; ++k) poses.q(k, j) = rng.Uniform(middle - half, middle + half);
   }
+  std::vector<double> carried;
+  for (const double payload : recording.payload) {
+    if (std::isfinite(payload)) carried.push_back(payload);
+  }
+  if (!carried.empty()) poses.payload = VectorXd::Constant(count, Median(carried));
   return poses;
 }
 
@@ -95,16 +101,22 @@ MatrixXd Elsewhere::Moves(const EffectRequest& request,
                           const MatrixXd& absorbed,
                           const Recording& poses) const {
   const PhysicsContext there(c_.spec.robot, poses, {c_.frames.base(0)});
+  // The recording's columns in their sizes: elsewhere the typical size may be another, and a column
+  // may be missing (of the payload, where it does not vary), or have come in.
+  const std::vector<EffectColumn> here = EffectColumns(space_.context(), request);
   const std::vector<EffectColumn> columns = EffectColumns(there, request);
-  MatrixXd moves(3 * poses.num_rows(), static_cast<Index>(columns.size()));
+  MatrixXd moves(3 * poses.num_rows(), static_cast<Index>(here.size()));
   PoseWithDerivatives pose;
   for (int row = 0; row < poses.num_rows(); ++row) {
     c_.chain.PoseAndDerivatives(
         poses.q.row(row).transpose(), c_.SlotDeltas(state_, 0), c_.frames.ends(0, 0), &pose);
-    for (std::size_t k = 0; k < columns.size(); ++k) {
+    for (std::size_t k = 0; k < here.size(); ++k) {
       Eigen::Vector3d move = Eigen::Vector3d::Zero();
-      for (const SlotWeights& weights : columns[k].slots) {
-        move += columns[k].typical * weights.weight[row] * pose.J_p.col(weights.slot);
+      for (const EffectColumn& column : columns) {
+        if (column.parameter != here[k].parameter) continue;
+        for (const SlotWeights& weights : column.slots) {
+          move += here[k].typical * weights.weight[row] * pose.J_p.col(weights.slot);
+        }
       }
       for (std::size_t g = 0; g < geometry_.size(); ++g) {
         if (!InScope(geometry_[g], 0, 0)) continue;
@@ -188,11 +200,14 @@ Elsewhere::Split Elsewhere::PosesThatSplit(int one, int other) const {
   for (std::size_t k = 0; k < order.size() && k < kMostPoses; ++k) {
     split.poses.push_back({poses_.q.row(order[k]).transpose(), kUnknown});
   }
-  Recording loaded;
-  loaded.q = c_.recording.q.topRows(std::min(c_.recording.num_rows(), kUnseenPoses));
-  const VectorXd empty = difference(loaded);
-  loaded.payload = VectorXd::Constant(loaded.num_rows(), kOtherPayload);
-  split.with_payload = (difference(loaded) - empty).cwiseAbs().maxCoeff();
+  // Each pose twice: empty and loaded.
+  const int count = std::min(c_.recording.num_rows(), kUnseenPoses);
+  Recording pairs;
+  pairs.q = c_.recording.q.topRows(count).replicate(2, 1);
+  pairs.payload.setZero(2 * Index{count});
+  pairs.payload.tail(count).setConstant(kOtherPayload);
+  const VectorXd apart = difference(pairs);
+  split.with_payload = (apart.tail(count) - apart.head(count)).cwiseAbs().maxCoeff();
   return split;
 }
 

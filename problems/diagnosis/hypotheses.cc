@@ -148,6 +148,7 @@ BlockTests HypothesisSpace::Tests(
   if (X.rows() <= kFewRows || nu <= 1.2 * num_columns_) {
     gram.rows = X;
     gram.basis = U_;
+    gram.offsets = rows_.offsets();
   }
   std::vector<ColumnRange> blocks;
   std::vector<bool> in_maximum;

@@ -136,11 +136,18 @@ Driver Products(const PhysicsContext& c) {
   return driver;
 }
 
-/// A smooth warp of the instrument's space: all squares and cubes of the measured position.
+/// A smooth warp of the instrument's space: all squares and cubes of the position. Of the nominal
+/// one: where the poses lie in a plane, the measured distance from it is the noise itself, which
+/// its own square would explain.
 MapBlock Warp(const PhysicsContext& c) {
+  constexpr double kFlat = 1e-6;  // of the largest extent
   Eigen::Matrix3Xd p(3, c.num_rows());
-  for (int row = 0; row < c.num_rows(); ++row) p.col(row) = c.p_WQ(row);
+  for (int row = 0; row < c.num_rows(); ++row) p.col(row) = c.nominal_p_WQ(row);
   p.colwise() -= p.rowwise().mean().eval();
+  const Eigen::Vector3d extent = p.cwiseAbs().rowwise().maxCoeff();
+  for (int i = 0; i < 3; ++i) {
+    if (extent[i] < kFlat * extent.maxCoeff()) p.row(i).setZero();
+  }
   Driver driver;
   driver.name = "measured position";
   driver.functions.resize(c.num_rows(), 16);
@@ -223,7 +230,7 @@ std::vector<MapBlock> MapBlocks(const PhysicsContext& c) {
       if (driver.name != own) blocks.push_back(OnSlots(name, {slot}, driver));
     }
     for (const Driver& driver : common) blocks.push_back(OnSlots(name, {slot}, driver));
-    blocks.push_back(OnSlots(name, {slot}, products));
+    if (c.num_joints() > 1) blocks.push_back(OnSlots(name, {slot}, products));
   }
   for (const auto& [name, frame_slots] : frames) {
     for (const Driver& driver : angles) blocks.push_back(OnSlots(name, frame_slots, driver));

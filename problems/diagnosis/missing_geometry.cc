@@ -51,14 +51,15 @@ Gain GainOf(const Eigen::MatrixXd& U,
 
 }  // namespace
 
-void AddMissingGeometry(const ProblemSpec& spec,
+bool AddMissingGeometry(const ProblemSpec& spec,
                         const Recording& recording,
                         const Result& identified,
                         const CompleteFit& complete,
+                        const std::vector<Reading>& readings,
                         DiagnosisResult* d) {
   const std::vector<Completion> missing =
       MissingCompletions(Calibration(spec, recording), complete.calibration);
-  if (missing.empty()) return;
+  if (missing.empty()) return false;
   const auto held = AddConcealedFrames(spec, recording, identified, complete, missing, d);
   // At the file's own answer, all corrections in it; where a frame was concealed or there is no
   // answer, at that of the fit held to the drawing.
@@ -66,15 +67,15 @@ void AddMissingGeometry(const ProblemSpec& spec,
   user_spec.measurement = spec.measurement;
   user_spec.robot = identified.calibrated;
   if (!d->findings.empty() || identified.best() == nullptr) {
-    if (!held->usable()) return;
+    if (!held->usable()) return true;
     user_spec.robot = CalibratedRobot(held->calibration, held->state());
   }
   const Calibration user(user_spec, recording);
   const std::vector<Completion> completions = MissingCompletions(user, complete.calibration);
-  if (completions.empty()) return;
+  if (completions.empty()) return true;
   const Eigen::VectorXd zero =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(user.parameters.size()));
-  const DesignRows rows(user, zero, complete.fit.noise_seen, user.readings.fitted);
+  const DesignRows rows(user, zero, complete.fit.noise_seen, readings);
   // Only what the file's fit can move within the tolerances: near parallel axes plain DH rows can
   // imitate a tilt, with corrections of metres.
   Eigen::MatrixXd J_user = rows.Geometry(user.parameters);
@@ -83,6 +84,8 @@ void AddMissingGeometry(const ProblemSpec& spec,
   Eigen::MatrixXd U = BasisAbove(J_user, 1.0);
   Eigen::VectorXd y = ProjectOff(U, rows.y());
   const bool sigma_known = SourceOfNoise(user).all_given();
+  const double level =
+      kShareOfGeometry * spec.diagnosis.false_alarm / static_cast<double>(completions.size());
   std::vector<bool> used(completions.size(), false);
   while (true) {
     std::size_t best = completions.size();
@@ -93,7 +96,7 @@ void AddMissingGeometry(const ProblemSpec& spec,
       const Eigen::MatrixXd J = rows.Geometry(parameters);
       const auto dof = static_cast<double>(rows.degrees_of_freedom() - U.cols());
       const Gain gain = GainOf(U, J, y, dof, sigma_known);
-      if (gain.p > spec.diagnosis.false_alarm / static_cast<double>(completions.size())) continue;
+      if (gain.p > level) continue;
       if (best < completions.size() && gain.removed <= best_gain.removed) continue;
       best = k;
       best_gain = gain;
@@ -112,12 +115,13 @@ void AddMissingGeometry(const ProblemSpec& spec,
     finding.rms_train_after = sigma * std::sqrt(y.squaredNorm() / static_cast<double>(y.size()));
     d->findings.push_back(finding);
   }
-  if (d->findings.empty() || user.readings.test.empty()) return;
+  if (d->findings.empty() || user.readings.test.empty()) return true;
   // Rows never fitted: by the file's own answer, and by the complete geometry.
   d->validation_method = "set column";
   d->rms_test_before = Statistics(user, zero, user.readings.test).rms;
   const Calibration& c = complete.calibration;
   d->rms_test_after = Statistics(c, complete.state(), c.readings.test).rms;
+  return true;
 }
 
 }  // namespace dhcal

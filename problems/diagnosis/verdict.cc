@@ -15,6 +15,7 @@
 #include "core/base/units.h"
 #include "core/physics/registry.h"
 #include "problems/diagnosis/elsewhere.h"
+#include "problems/diagnosis/findings.h"
 #include "problems/diagnosis/projection.h"
 
 namespace dhcal {
@@ -101,32 +102,34 @@ std::vector<int> Alternatives(const SearchOutcome& out, int member) {
   return others;
 }
 
+Confusable ConfusableWith(const HypothesisSpace& space, int member, int other) {
+  Confusable confusable;
+  confusable.effect = At(space, other).request;
+  confusable.location = At(space, other).place.location;
+  const Eigen::MatrixXd a = space.BasisOf({member});
+  const Eigen::MatrixXd b = space.BasisOf({other});
+  confusable.overlap = (a.transpose() * b).norm() / std::sqrt(std::min(a.cols(), b.cols()));
+  return confusable;
+}
+
 void AddAlternatives(const Elsewhere& elsewhere,
                      const HypothesisSpace& space,
                      const SearchOutcome& out,
                      DiagnosisResult* d) {
   for (Finding& finding : d->findings) {
-    int member = -1;
-    for (const int k : out.accepted) {
-      if (At(space, k).request.SameAs(finding.effect)) member = k;
-    }
-    if (member < 0) continue;
     Elsewhere::Split hardest;
     int hardest_other = -1;
-    for (const int other : Alternatives(out, member)) {
-      const Hypothesis& h = At(space, other);
-      if (h.family == At(space, member).family) continue;
-      Confusable confusable;
-      confusable.effect = h.request;
-      confusable.location = h.place.location;
-      const Eigen::MatrixXd a = space.BasisOf({member});
-      const Eigen::MatrixXd b = space.BasisOf({other});
-      confusable.overlap = (a.transpose() * b).norm() / std::sqrt(std::min(a.cols(), b.cols()));
-      finding.confusable_with.push_back(confusable);
-      const Elsewhere::Split split = elsewhere.PosesThatSplit(member, other);
-      if (hardest_other < 0 || split.largest < hardest.largest) {
-        hardest = split;
-        hardest_other = other;
+    for (const int member : out.accepted) {
+      if (!OneFinding(finding.effect, At(space, member).request)) continue;
+      for (const int other : Alternatives(out, member)) {
+        const Hypothesis& h = At(space, other);
+        if (h.family == At(space, member).family) continue;
+        finding.confusable_with.push_back(ConfusableWith(space, member, other));
+        const Elsewhere::Split split = elsewhere.PosesThatSplit(member, other);
+        if (hardest_other < 0 || split.largest < hardest.largest) {
+          hardest = split;
+          hardest_other = other;
+        }
       }
     }
     if (hardest_other < 0) continue;
@@ -163,6 +166,16 @@ Eigen::MatrixXd InverseOfWhatIsLeft(const Eigen::MatrixXd& gram, double length2)
   const double cut = std::max(kSmallest * largest, std::min(kLeft * length2, 0.5 * largest));
   const Eigen::VectorXd inverse = (values.array() > cut).select(values.cwiseInverse(), 0.0);
   return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+/// Turns the abscissa of a curve over a joint from DH's sense, in which it was found, into the
+/// controller's, in which the recording and the reader count.
+void AsTheControllerCounts(const PhysicsContext& context, Unexplained* rest) {
+  for (int joint = 0; joint < context.num_joints(); ++joint) {
+    if (rest->driver != fmt::format("q{}", joint + 1) || context.sign(joint) > 0) continue;
+    for (CurvePoint& point : rest->curve) point.driver_value *= context.sign(joint);
+    std::reverse(rest->curve.begin(), rest->curve.end());
+  }
 }
 
 /// The rest as a curve: the anonymous block's slot against its driver.
@@ -211,11 +224,27 @@ Unexplained Curve(const HypothesisSpace& space,
                             sigma_scale * std::sqrt(std::max(inverse(k, k), 0.0))});
     }
   }
+  AsTheControllerCounts(space.context(), &rest);
   return rest;
+}
+
+/// The accepted names that the refit left standing.
+std::vector<int> Standing(const HypothesisSpace& space,
+                          const SearchOutcome& out,
+                          const DiagnosisResult& d) {
+  std::vector<int> standing;
+  for (const int k : out.accepted) {
+    const bool found = std::any_of(d.findings.begin(), d.findings.end(), [&](const Finding& f) {
+      return OneFinding(f.effect, At(space, k).request);
+    });
+    if (found) standing.push_back(k);
+  }
+  return standing;
 }
 
 void AddUnexplained(const HypothesisSpace& space,
                     const SearchOutcome& out,
+                    const std::vector<int>& names,
                     double sigma_scale,
                     DiagnosisResult* d) {
   int block = out.anonymous.empty() ? -1 : out.anonymous.front();
@@ -230,7 +259,7 @@ void AddUnexplained(const HypothesisSpace& space,
     }
   }
   if (block < 0) return;
-  d->unexplained = Curve(space, out.accepted, block, sigma_scale);
+  d->unexplained = Curve(space, names, block, sigma_scale);
   // What the names that are left remove, by the refit; in whitened squares.
   const double sigma = d->misfit.noise_sigma;
   const auto n = static_cast<double>(space.y().size());
@@ -250,14 +279,14 @@ void AddUnexplained(const HypothesisSpace& space,
 
 void AddHidden(const Elsewhere& elsewhere,
                const HypothesisSpace& space,
-               const SearchOutcome& out,
+               const std::vector<int>& names,
                double sigma_scale,
                DiagnosisResult* d) {
-  const Eigen::MatrixXd basis = space.BasisOf(out.accepted);
+  const Eigen::MatrixXd basis = space.BasisOf(names);
   const Eigen::VectorXd y = ProjectOff(basis, space.y());
   std::vector<int> hidden;
   std::set<std::string> seen;
-  for (const int k : out.accepted) seen.insert(At(space, k).family);
+  for (const int k : names) seen.insert(At(space, k).family);
   for (int k = 0; k < static_cast<int>(space.all().size()); ++k) {
     const Hypothesis& h = At(space, k);
     if (h.named && seen.insert(h.family).second) hidden.push_back(k);
@@ -329,8 +358,9 @@ void Conclude(const CompleteFit& geometry,
   Decide(outcome, rest_left, d);
   const bool rest = d->verdict == DiagnosisVerdict::kPartlyExplained ||
                     d->verdict == DiagnosisVerdict::kUnexplained;
-  if (rest) AddUnexplained(space, outcome, sigma_scale, d);
-  AddHidden(elsewhere, space, outcome, sigma_scale, d);
+  const std::vector<int> names = Standing(space, outcome, *d);
+  if (rest) AddUnexplained(space, outcome, names, sigma_scale, d);
+  AddHidden(elsewhere, space, names, sigma_scale, d);
 }
 
 }  // namespace dhcal

@@ -1,6 +1,7 @@
 #include "problems/identify.h"
 
 #include <cmath>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -121,6 +122,49 @@ TEST(Identify, TargetsHaveToolsOfTheirOwn) {
   const Eigen::Vector3d b = result.calibrated.targets[1].X_TQ.translation();
   EXPECT_LT((a - b).norm(), 4 * kSigma);
   EXPECT_EQ(ByName(*result.best()).count("tool_x.B"), 1u);
+}
+
+TEST(Identify, NoiseIsEstimatedFromTheRowsThatStateNone) {
+  Case made = MakeCase(200, 8);
+  made.recording.sigma.setConstant(200, kNotSet);
+  // Stated ten times too small: these rows misfit, which is no reason to widen the others.
+  for (int k = 0; k < 200; k += 2) made.recording.sigma[k] = kSigma / 10;
+  EXPECT_NEAR(Solve(made).noise_sigma / kSigma, 1.0, 0.2);
+}
+
+TEST(Identify, ARowWithoutAReadingNeedsNoSigma) {
+  Case made = MakeCase(200, 8);
+  made.recording.sigma.setConstant(200, 2 * kSigma);
+  made.recording.p_WQ.row(17).setConstant(kNotSet);
+  made.recording.sigma[17] = kNotSet;
+  const Result result = Solve(made);
+  EXPECT_EQ(result.noise_source, "given per row");
+  EXPECT_EQ(result.rows, 199);
+}
+
+TEST(CheckEnoughReadings, RowsThatNeverFollowEachOtherGiveNoDisplacement) {
+  Case made = MakeCase(40, 5);
+  made.spec.measurement.kind = MeasurementKind::kAdjacentPosition;
+  for (int k = 0; k < 40; ++k) {
+    made.recording.run_names.push_back(std::to_string(k));
+    made.recording.run_idx.push_back(k);
+  }
+  Diagnostics diagnostics;
+  CheckEnoughReadings(made.spec, made.recording, &diagnostics);
+  EXPECT_THAT(diagnostics.ToString(),
+              HasSubstr("no two consecutive rows share run, target and set"));
+}
+
+TEST(CheckEnoughReadings, NoiseCannotBeEstimatedFromAsManyNumbersAsParameters) {
+  Case made = MakeCase(1, 5);
+  made.spec.parameters.estimate = {"theta1", "theta2", "theta3"};
+  made.spec.measurement.sigma.reset();
+  Diagnostics unknown, given;
+  CheckEnoughReadings(made.spec, made.recording, &unknown);
+  EXPECT_THAT(unknown.ToString(), HasSubstr("measurement.sigma_mm"));
+  made.spec.measurement.sigma = kSigma;
+  CheckEnoughReadings(made.spec, made.recording, &given);
+  EXPECT_TRUE(given.ok()) << given.ToString();
 }
 
 TEST(Identify, BasePerRunIsRegisteredAnew) {

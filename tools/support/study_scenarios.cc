@@ -62,6 +62,7 @@ Eigen::MatrixXd Poses(const Scenario& s, Rng* rng) {
       const double half = s.narrow ? narrow[j] : wide[j];
       q(k, j) = rng->Uniform(middle[j] - half, middle[j] + half) * kDegree;
     }
+    if (s.planar) q(k, 0) = q(k, 3) = q(k, 5) = 0;
   }
   return q;
 }
@@ -131,6 +132,13 @@ void AddNulls(std::vector<Scenario>* all) {
   add(differences, "KR 15, differences read afresh");
   differences.noise = NoiseKind::kSharedPose;
   add(differences, "KR 15, differences of shared readings");
+  Scenario runs = differences;
+  runs.runs = 25;
+  runs.sigma_known = false;
+  add(runs, "KR 15, differences of shared readings in 25 runs, sigma unknown");
+  Scenario planar = plain;
+  planar.planar = true;
+  add(planar, "KR 15, all poses in one plane");
   Scenario outliers = plain;
   outliers.poses = 200;
   outliers.outliers = 0.02;
@@ -295,6 +303,12 @@ Draw MakeDraw(const Scenario& s, std::uint64_t seed) {
     }
     recording.displacement = displacement;
     recording.p_WQ.resize(0, 0);
+  }
+  for (int run = 0; s.runs > 1 && run < s.runs; ++run) {
+    recording.run_names.push_back(std::to_string(run + 1));
+  }
+  for (int row = 0; s.runs > 1 && row < s.poses; ++row) {
+    recording.run_idx.push_back(row * s.runs / s.poses);
   }
   ProblemSpec& spec = draw.spec;
   spec.name = s.name;

@@ -22,6 +22,8 @@ struct Scenario {
   std::string group;  // "null", "single", "several", "outside", "masses"
   bool ur10 = false;
   bool narrow = false;
+  bool planar = false;  // joints 1, 4 and 6 stand still: all positions lie in one plane
+  int runs = 1;         // of equal length; differences do not cross them
   MeasurementKind kind = MeasurementKind::kPosition;
   NoiseKind noise = NoiseKind::kIndependent;
   int poses = 100;

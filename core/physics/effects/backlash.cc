@@ -1,6 +1,6 @@
 // Lost motion of a joint: which flank of the gear touches.
 //
-//   d theta_j = (b / 2) s_j                  b [rad] full width
+//   d theta_j = (b / 2) s_j                  b [rad] full width; a prismatic joint: d d_j, b [m]
 //
 // s_j = sense of the last motion (the `dir` columns, else from the previous row of the run). With
 // the setting flank = 1 gravity preloads the gear and decides: s_j = sign of gravity's torque.
@@ -20,6 +20,9 @@
 namespace dhcal {
 namespace {
 
+constexpr double kTypicalAngle = 2e-4;   // [rad]
+constexpr double kTypicalLength = 5e-5;  // [m] of a rack or a ball screw
+
 bool ByTorque(const EffectRequest& request) { return request.setting("flank", 0) != 0; }
 
 Eigen::VectorXd Flank(const PhysicsContext& c, const EffectRequest& request) {
@@ -35,7 +38,7 @@ class BacklashEffect final : public Effect {
     return {"backlash",
             "play or friction wind-up: a joint stops short, depending on the approach",
             "d theta_j = (b / 2) s_j",
-            "width [rad]",
+            "width [rad], of a prismatic joint [m]",
             {{"flank", "0 = approach direction, 1 = sign of gravity torque"}},
             "dir<j>, or poses in the order of the motion; robot.links with flank = 1",
             "0.1-0.3 mrad [physics.md B1, F1]"};
@@ -54,8 +57,13 @@ class BacklashEffect final : public Effect {
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
-    return {SlotColumn(
-        "width", "rad", 2e-4, c.joint_slot(JointIndex(request)), 0.5 * Flank(c, request))};
+    const int joint = JointIndex(request);
+    const bool turns = c.revolute(joint);
+    return {SlotColumn("width",
+                       turns ? "rad" : "m",
+                       turns ? kTypicalAngle : kTypicalLength,
+                       c.joint_slot(joint),
+                       0.5 * Flank(c, request))};
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
     return WithVariant(*this, c, EveryJoint(c, "backlash", /*revolute_only=*/false), "flank");
@@ -67,9 +75,10 @@ class BacklashEffect final : public Effect {
   }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
+    const EffectValue width = Find(values, "width");
     return fmt::format("joint {} has play or friction wind-up of {} in all, decided by {}",
                        request.joint,
-                       Quantity(Find(values, "width"), 1e-3, "mrad"),
+                       Quantity(width, 1e-3, width.unit == "m" ? "mm" : "mrad"),
                        ByTorque(request) ? "the sign of its gravity torque"
                                          : "the direction from which it was approached");
   }

@@ -25,7 +25,7 @@ class GravityBalancerEffect final : public Effect {
             "d theta_j = s1 sin q + c1 cos q + s2 sin 2q + c2 cos 2q",
             "sin_1, cos_1, sin_2, cos_2 [rad]",
             {},
-            "",
+            "a turning joint that gravity loads",
             "0.1-0.3 mrad [physics.md E2]"};
   }
 

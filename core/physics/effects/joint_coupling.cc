@@ -22,7 +22,7 @@ class JointCouplingEffect final : public Effect {
             "d theta_j = k q_i",
             "coupling [rad/rad]",
             {{"driver_joint", "i; default: the joint before j"}},
-            "",
+            "a second joint that moves",
             "0.1-1 mrad/rad [physics.md W1]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {

@@ -5,7 +5,9 @@
 //
 // F, M: gravity's force and moment of what lies beyond the far end; e, L: direction and length of
 // the beam; parameter 1/EI [1/(N m^2)], positive. (Euler-Bernoulli cantilever, equal stiffness in
-// both planes; the link's own weight is counted with the load only where `links` gives masses.)
+// both planes; the link's own weight is not counted.)
+// Link j is the body that joint j moves, whatever the convention: modified row j ends in a frame
+// that sits on axis j, so the beam of link j lies in row j + 1.
 // Typical: EI = 0.5-3e6 N m^2 of cast aluminium, 0.02-0.1 mm. Source: physics.md E3.
 // Worked number: 40 kg at the end of a 0.65 m beam, EI = 1e6: see the conformance test.
 #include <cmath>
@@ -21,9 +23,23 @@ namespace {
 constexpr double kTypicalBending = 1e-6;  // [1/(N m^2)]
 constexpr double kShortestBeam = 0.2;     // [m] what is shorter does not bend
 
+/// Where the beam of link `link` (from 0) starts and that of the link before ends: on the axis of
+/// the link's joint, where the common normal with the axis before meets it. A standard row ends
+/// there; in modified rows the offset d along the axis follows, and belongs to the link as it does
+/// in standard rows.
+Eigen::Vector3d BeamStart(const PhysicsContext& c, int row, int link) {
+  const Eigen::Isometry3d& X_BL = c.X_BL(row, link - 1);
+  if (c.robot().convention == DhConvention::kStandard || link >= c.num_joints()) {
+    return X_BL.translation();
+  }
+  // Rx(alpha) Tx(a) of the row: the twist does not turn the shift.
+  const double a = c.robot().joints[static_cast<std::size_t>(link)].a;
+  return X_BL * Eigen::Vector3d(a, 0, 0);
+}
+
 Twist Bend(const PhysicsContext& c, const MassCase& mass_case, int row, int link) {
-  const Eigen::Vector3d start = c.X_BL(row, link - 1).translation();
-  const Eigen::Vector3d end = c.X_BL(row, link).translation();
+  const Eigen::Vector3d start = BeamStart(c, row, link);
+  const Eigen::Vector3d end = BeamStart(c, row, link + 1);
   const double length = (end - start).norm();
   const Eigen::Vector3d e = (end - start) / length;
   const Load load = GravityLoad(c, mass_case, row, link + 1, end);
@@ -53,8 +69,7 @@ class LinkBendingEffect final : public Effect {
     if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     const int link = JointIndex(request);
     if (c.num_rows() == 0) return "there are no rows";
-    const double length =
-        (c.X_BL(0, link).translation() - c.X_BL(0, link - 1).translation()).norm();
+    const double length = (BeamStart(c, 0, link + 1) - BeamStart(c, 0, link)).norm();
     if (length < kShortestBeam) return fmt::format("the link is only {:.2f} m long", length);
     if (link + 1 >= c.num_joints()) return "nothing but the payload lies beyond the link";
     return GravityLoads(c, FirstLoadedJoint(c) < 0 ? 0 : link + 1) || HasLoad(c, link)

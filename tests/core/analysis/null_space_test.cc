@@ -112,5 +112,44 @@ TEST_F(Explained, WhatLiftsAllReadingsIsHiddenFromDifferences) {
               HasSubstr("shifts all measured points alike"));
 }
 
+TEST_F(Explained, WhatAPriorHidesIsNotBlamedOnGeometry) {
+  robot_.joints[0].a = 0.5;
+  robot_.joints[1].a = 0.4;
+  robot_.X_TQ.translation() = Eigen::Vector3d(0, 0, 0.1);
+  parameters_ = {Named(robot_, slots_.joint(0, JointSlot::kTheta), ParameterGroup::kTheta)};
+  parameters_[0].prior_sigma = 1e-9;
+  EXPECT_EQ(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kPosition),
+            "the readings say less about theta1 than its prior does");
+  parameters_[0].prior_sigma.reset();
+  EXPECT_EQ(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kPosition),
+            "the readings say less about theta1 than its tolerance does");
+}
+
+TEST_F(Explained, ALengthAlwaysMovesTheMeasuredPoint) {
+  parameters_ = {Named(robot_, slots_.joint(1, JointSlot::kA), ParameterGroup::kA)};
+  EXPECT_EQ(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kPosition),
+            "the readings say less about a2 than its tolerance does");
+  EXPECT_THAT(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kAdjacentPosition),
+              HasSubstr("less about a2"))
+      << "it turns with joint 1: differences show it";
+}
+
+TEST_F(Explained, AMeasuredOrientationShowsEveryTurn) {
+  parameters_ = {Named(robot_, slots_.joint(2, JointSlot::kTheta), ParameterGroup::kTheta)};
+  EXPECT_EQ(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kPose),
+            "the readings say less about theta3 than its tolerance does");
+}
+
+TEST_F(Explained, AnAxisBesideOneOfTheTargetsIsNotThroughTheMeasuredPoint) {
+  robot_.joints[0].a = 0.5;
+  robot_.targets.resize(2);
+  parameters_ = {Named(robot_, slots_.joint(2, JointSlot::kTheta), ParameterGroup::kTheta)};
+  EXPECT_THAT(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kPosition),
+              HasSubstr("through the measured point"));
+  robot_.targets[1].X_TQ.translation() = Eigen::Vector3d(0.1, 0, 0);
+  EXPECT_THAT(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kPosition),
+              HasSubstr("the readings say less about theta3"));
+}
+
 }  // namespace
 }  // namespace dhcal

@@ -1,7 +1,9 @@
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -57,6 +59,49 @@ simulate:
   motion: {kind: random, poses: 30, min_deg: [-90], max_deg: [90]}
   noise_mm: 0.1
 )";
+
+constexpr char kEffects[] = R"(schema: 1
+name: effects
+robot:
+  joints:
+    - {d_m: 0.5, a_m: 0.3, alpha_deg: 90}
+    - {a_m: 0.4}
+    - {a_m: 0.2}
+measurement: {kind: position}
+recording: day.csv
+parameters:
+  estimate: [theta1]
+  effects:
+    - {effect: joint_coupling, joint: 3, driver_joint: 1}
+    - {effect: joint_coupling, joint: 3}
+    - {effect: joint_gain, joint: 1, values: {gain: 5e-4}}
+    - {effect: gear_harmonic, joint: 2, order: 2}
+)";
+
+Recording EffectRows() {
+  Recording recording;
+  recording.q = (Eigen::Matrix3d() << 0.1, 0.2, 0.3, -0.4, 0.5, 0.6, 0.7, -0.8, 0.9).finished();
+  return recording;
+}
+
+/// What a fit of kEffects reports; the effect that it held is no parameter.
+std::vector<ParameterResult> EffectsFound() {
+  std::vector<ParameterResult> found;
+  const auto add = [&](const std::string& name, Unit unit, double value) {
+    ParameterResult result;
+    result.name = name;
+    result.unit = unit;
+    result.value = value;
+    result.verdict = Verdict::kIdentified;
+    found.push_back(result);
+  };
+  add("theta1", Unit::kRadian, 0.1);
+  add("joint_coupling.3.coupling", Unit::kOther, 1.2345678901234567e-4);
+  add("joint_coupling.3.coupling", Unit::kOther, -2e-4);
+  add("gear_harmonic.2.sin_2", Unit::kOther, 3e-5);
+  add("gear_harmonic.2.cos_2", Unit::kOther, -4e-5);
+  return found;
+}
 
 ProblemSpec ReadFrom(const TempFolder& folder, const std::string& name, const std::string& text) {
   WriteFile(folder / name, text);
@@ -119,7 +164,7 @@ TEST(CalibratedYaml, ReadsBackAsTheCalibratedRobot) {
   const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kProblem);
   for (int i = 0; i < 50; ++i) {
     const RobotModel robot = Perturbed(spec.robot, &rng);
-    const std::string text = CalibratedYaml(spec, robot, "../data/day.csv");
+    const std::string text = CalibratedYaml(spec, robot, {}, "../data/day.csv");
     const ProblemSpec read = ReadFrom(folder, "calibrated.yaml", text);
     ExpectSameRobot(robot, read.robot);
     EXPECT_TRUE(read.robot.base_per_run);
@@ -132,7 +177,7 @@ TEST(CalibratedYaml, ReadsBackAsTheCalibratedRobot) {
 TEST(CalibratedYaml, KeepsEverythingElse) {
   const TempFolder folder;
   const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kProblem);
-  const std::string text = CalibratedYaml(spec, spec.robot, "recording.csv");
+  const std::string text = CalibratedYaml(spec, spec.robot, {}, "recording.csv");
   const ProblemSpec read = ReadFrom(folder, "calibrated.yaml", text);
   EXPECT_EQ(read.name, "cell 7");
   EXPECT_EQ(read.measurement.sigma, spec.measurement.sigma);
@@ -147,7 +192,7 @@ TEST(CalibratedYaml, KeepsEverythingElse) {
 TEST(CalibratedYaml, WritesUnitsAtEachNumberAndNoneElsewhere) {
   const TempFolder folder;
   const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kProblem);
-  const std::string text = CalibratedYaml(spec, spec.robot, "recording.csv");
+  const std::string text = CalibratedYaml(spec, spec.robot, {}, "recording.csv");
   EXPECT_THAT(text, StartsWith("# Made by ceres_dhcal from problem.yaml:"));
   EXPECT_THAT(text,
               HasSubstr("{name: turn, type: revolute, sign: -1, theta_deg: 28.64788975654116, "
@@ -160,7 +205,7 @@ TEST(CalibratedYaml, ReplacesTargetsAndTheSimulation) {
   Rng rng(8);
   const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kTargets);
   const RobotModel robot = Perturbed(spec.robot, &rng);
-  const std::string text = CalibratedYaml(spec, robot, "recording.csv");
+  const std::string text = CalibratedYaml(spec, robot, {}, "recording.csv");
   const ProblemSpec read = ReadFrom(folder, "calibrated.yaml", text);
   EXPECT_FALSE(read.simulate.has_value());
   EXPECT_EQ(read.recording, folder / "recording.csv");
@@ -177,7 +222,7 @@ TEST(CalibratedYaml, KeepsRotationsAtAndNearGimbalLock) {
   for (const double off : {0.0, 1e-13, 1e-10, 1e-7, 1e-4}) {
     RobotModel robot = spec.robot;
     robot.X_WB.linear() = RotationFromRpy({0.3, kPi / 2, -0.4}) * ExpSO3<double>({off, -off, off});
-    const std::string text = CalibratedYaml(spec, robot, "recording.csv");
+    const std::string text = CalibratedYaml(spec, robot, {}, "recording.csv");
     ExpectSamePose(ReadFrom(folder, "calibrated.yaml", text).robot.X_WB, robot.X_WB, 1e-12);
   }
 }
@@ -196,27 +241,65 @@ recording: day.csv
 )");
   RobotModel robot = spec.robot;
   robot.X_TQ.translation().z() = 0.25;
-  const std::string text = CalibratedYaml(spec, robot, "day.csv");
+  const std::string text = CalibratedYaml(spec, robot, {}, "day.csv");
   const ProblemSpec read = ReadFrom(folder, "calibrated.yaml", text);
   ExpectSamePose(read.robot.X_WB, robot.X_WB);
   ExpectSamePose(read.robot.X_TQ, robot.X_TQ);
+}
+
+TEST(CalibratedYaml, HoldsEstimatedEffectsAtTheValuesFound) {
+  const TempFolder folder;
+  const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kEffects);
+  ASSERT_EQ(spec.parameters.effects.size(), 4u);
+  const std::vector<EffectRequest> effects = EffectsAsFound(spec, EffectRows(), EffectsFound());
+  const std::string text = CalibratedYaml(spec, spec.robot, effects, "day.csv");
+  EXPECT_THAT(text, HasSubstr("its effects are held at what was found"));
+  EXPECT_THAT(text,
+              HasSubstr("{effect: joint_coupling, joint: 3, driver_joint: 1, values: {coupling: "));
+  const ProblemSpec read = ReadFrom(folder, "calibrated.yaml", text);
+  ASSERT_EQ(read.parameters.effects.size(), 4u);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const EffectRequest& effect = read.parameters.effects[k];
+    EXPECT_TRUE(effect.held);
+    EXPECT_TRUE(effect.SameAs(spec.parameters.effects[k]));
+    EXPECT_EQ(effect.values, effects[k].values);
+  }
+  // Two couplings of one joint have one name; each gets its own value.
+  EXPECT_EQ(read.parameters.effects[0].values.at("coupling"), 1.2345678901234567e-4);
+  EXPECT_EQ(read.parameters.effects[1].values.at("coupling"), -2e-4);
+  EXPECT_EQ(read.parameters.effects[2].values.at("gain"), 5e-4);  // as the file gave it
+  EXPECT_EQ(read.parameters.effects[3].values.at("sin_2"), 3e-5);
+  EXPECT_EQ(read.parameters.effects[3].values.at("cos_2"), -4e-5);
+}
+
+TEST(CalibratedYaml, LeavesEffectsToBeEstimatedWhereNothingElseIs) {
+  const TempFolder folder;
+  const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kEffects);
+  std::vector<ParameterResult> found = EffectsFound();
+  found.front().verdict = Verdict::kFixed;  // theta1
+  const std::vector<EffectRequest> effects = EffectsAsFound(spec, EffectRows(), found);
+  const std::string text = CalibratedYaml(spec, spec.robot, effects, "day.csv");
+  const ProblemSpec read = ReadFrom(folder, "calibrated.yaml", text);
+  ASSERT_EQ(read.parameters.effects.size(), 4u);
+  EXPECT_FALSE(read.parameters.effects[0].held);
+  EXPECT_TRUE(read.parameters.effects[2].held);
 }
 
 TEST(CalibratedYaml, RefusesAFileThatHasChanged) {
   const TempFolder folder;
   const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kProblem);
   WriteFile(folder / "problem.yaml", kTargets);
-  EXPECT_THROW(CalibratedYaml(spec, spec.robot, "x.csv"), std::runtime_error);
+  EXPECT_THROW(CalibratedYaml(spec, spec.robot, {}, "x.csv"), std::runtime_error);
   std::filesystem::remove(folder / "problem.yaml");
-  EXPECT_THROW(CalibratedYaml(spec, spec.robot, "x.csv"), std::runtime_error);
+  EXPECT_THROW(CalibratedYaml(spec, spec.robot, {}, "x.csv"), std::runtime_error);
 }
 
 TEST(CalibratedYaml, IsTheSameUnderACommaDecimalLocale) {
   const TempFolder folder;
   const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kProblem);
-  const std::string expected = CalibratedYaml(spec, spec.robot, "x.csv");
+  const std::string expected = CalibratedYaml(spec, spec.robot, {}, "x.csv");
   const CommaLocale locale;
-  EXPECT_EQ(CalibratedYaml(spec, spec.robot, "x.csv"), expected);
+  EXPECT_EQ(CalibratedYaml(spec, spec.robot, {}, "x.csv"), expected);
 }
 
 }  // namespace

@@ -100,8 +100,22 @@ TEST(RecordingReader, OtherNumbersAreKeptAndTextsNamedInOneWarning) {
   EXPECT_EQ(recording.extra[1].name, "ruler_mm");
   EXPECT_EQ(recording.extra[3].name, "height2_mm");
   EXPECT_THAT(messages,
-              HasSubstr("all_columns.csv:2:1: warning: unknown columns, kept as possible drivers: "
-                        "'humidity'; columns of text, ignored: 'operator', 'edge'\n"));
+              HasSubstr("all_columns.csv:2:1: warning: unknown columns, ignored because of blank "
+                        "cells: 'humidity' (first in line 5); columns of text, ignored: "
+                        "'operator', 'edge'\n"));
+}
+
+TEST(RecordingReader, UnknownColumnsWithBlankOrNanCellsAreSaidToBeIgnored) {
+  std::string messages;
+  const Recording recording = ReadRowsOf(
+      TempFile("q1_deg,q2_deg,full,blank,nan\n1,2,3,4,5\n1,2,3,,NaN\n").path(), "RR", &messages);
+  EXPECT_THAT(messages,
+              HasSubstr("unknown columns, kept as possible drivers: 'full'; unknown columns, "
+                        "ignored because of blank cells: 'blank' (first in line 3), 'nan' (first "
+                        "in line 3)\n"));
+  ASSERT_EQ(recording.extra.size(), 3u);
+  EXPECT_EQ(recording.extra[2].values[0], 5);
+  EXPECT_TRUE(std::isnan(recording.extra[2].values[1]));
 }
 
 TEST(RecordingReader, UnknownColumnNamesTheNearestKnownOne) {
@@ -152,6 +166,12 @@ TEST(RecordingReader, ByteOrderMarkLineEndsAndBlankLinesChangeNothing) {
     EXPECT_THAT(recording.run_names, ElementsAre("a b", "c"));
     EXPECT_THAT(recording.lines, ElementsAre(2, 5));
   }
+}
+
+TEST(RecordingReader, LinesOfCommasAloneAreBlankLines) {
+  const Recording recording = ReadRows(",,\nq1_rad,q2_rad,run\n1,2,a\n,,\n3,4,a\n, ,,,\n,,");
+  EXPECT_EQ(recording.q, (Eigen::Matrix2d() << 1, 2, 3, 4).finished());
+  EXPECT_THAT(recording.lines, ElementsAre(3, 5));
 }
 
 TEST(RecordingReader, LastLineNeedsNoEnd) {

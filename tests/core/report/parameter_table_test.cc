@@ -77,6 +77,73 @@ TEST(ParameterSection, NamesFixedParametersInOneSentence) {
   EXPECT_THAT(text, Not(HasSubstr("fixed99")));
 }
 
+/// A result with one parameter and a diagnosis that came to this verdict.
+Result Diagnosed(DiagnosisVerdict verdict, const std::string& effect_class) {
+  Result result = WithParameters({Identified("theta2", Unit::kRadian, -5e-3, 6e-6)}, 4e-4);
+  result.diagnosis.emplace();
+  result.diagnosis->verdict = verdict;
+  result.diagnosis->misfit.rows = 150;
+  if (!effect_class.empty()) {
+    result.diagnosis->findings.emplace_back();
+    result.diagnosis->findings[0].effect_class = effect_class;
+  }
+  return result;
+}
+
+/// The section in one line.
+std::string Unwrapped(const Result& result) {
+  std::string text = ParameterSection(result);
+  for (std::size_t at = 0; (at = text.find("\n  ", at)) != std::string::npos;) {
+    text.replace(at, 3, " ");
+  }
+  return text;
+}
+
+TEST(ParameterSection, IntervalsHoldWhereTheModelMeetsTheNoise) {
+  for (const Result& result : {ExampleResult(), Diagnosed(DiagnosisVerdict::kConsistent, "")}) {
+    const std::string text = Unwrapped(result);
+    EXPECT_THAT(text, HasSubstr("They hold for the parameters called identified"));
+    EXPECT_THAT(text, Not(HasSubstr("do not hold")));
+  }
+}
+
+TEST(ParameterSection, IntervalsDoNotHoldWhereTheDiagnosisFoundPhysics) {
+  for (const DiagnosisVerdict verdict : {DiagnosisVerdict::kExplained,
+                                         DiagnosisVerdict::kPartlyExplained,
+                                         DiagnosisVerdict::kAmbiguous,
+                                         DiagnosisVerdict::kUnexplained}) {
+    const std::string text = Unwrapped(Diagnosed(verdict, "C1"));
+    EXPECT_THAT(text,
+                HasSubstr("The rigid model does not meet the noise, so the intervals do not "
+                          "hold"));
+    EXPECT_THAT(text, HasSubstr("has moved parameters, see LEFT-OUT PHYSICS."));
+    EXPECT_THAT(text, Not(HasSubstr("They hold")));
+  }
+}
+
+TEST(ParameterSection, IntervalsDoNotHoldWhereGeometryIsMissing) {
+  const std::string text = Unwrapped(Diagnosed(DiagnosisVerdict::kExplained, "geometry"));
+  EXPECT_THAT(text, HasSubstr("is not complete, so the intervals do not hold"));
+  EXPECT_THAT(text, HasSubstr("see LEFT-OUT PHYSICS."));
+}
+
+TEST(ParameterSection, IntervalsDoNotHoldWhereChiSquareIsFarAboveOne) {
+  Result result = WithParameters({Identified("theta2", Unit::kRadian, -5e-3, 6e-6)}, 4e-4);
+  result.fits[0].chi2_reduced = 152;
+  result.fits[0].cost = 152 * 33 / 2.0;
+  const std::string text = Unwrapped(result);
+  EXPECT_THAT(text, HasSubstr("The rigid model does not meet the noise"));
+  EXPECT_THAT(text, HasSubstr("has moved parameters."));
+  EXPECT_THAT(text, Not(HasSubstr("LEFT-OUT PHYSICS"))) << "there is no such section";
+}
+
+TEST(ParameterSection, IntervalsHoldWhereFewReadingsMissByChance) {
+  Result result = WithParameters({Identified("theta2", Unit::kRadian, -5e-3, 6e-6)}, 4e-4);
+  result.fits[0].chi2_reduced = 1.8;
+  result.fits[0].cost = 1.8 * 4 / 2;  // four degrees of freedom
+  EXPECT_THAT(Unwrapped(result), HasSubstr("They hold for the parameters called identified"));
+}
+
 TEST(ParameterSection, IsEmptyWithoutAUsableFit) {
   EXPECT_EQ(ParameterSection(DivergedResult()), "");
 }

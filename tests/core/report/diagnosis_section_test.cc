@@ -1,0 +1,148 @@
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/report/sections.h"
+#include "tests/core/io/example_result.h"
+
+namespace dhcal {
+namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
+/// The example with a diagnosis that found one effect.
+Result WithFinding() {
+  Result result = ExampleResult();
+  result.diagnosis.emplace();
+  DiagnosisResult& d = *result.diagnosis;
+  d.verdict = DiagnosisVerdict::kAmbiguous;
+  d.summary = "something";
+  d.false_alarm = 0.01;
+  d.misfit.rows = 100;
+  d.misfit.rms = 3e-4;
+  d.misfit.p_value = 1e-12;
+  d.findings.emplace_back();
+  d.findings[0].effect.effect = "joint_compliance";
+  d.findings[0].effect.joint = 2;
+  d.findings[0].effect_class = "C1";
+  d.findings[0].sentence = "joint 2 yields";
+  return result;
+}
+
+ProblemSpec WithSlidingJointThree() {
+  ProblemSpec spec = ExampleSpec();
+  spec.robot.joints[2].type = JointType::kPrismatic;
+  return spec;
+}
+
+Result WithSeparatingPose() {
+  Result result = WithFinding();
+  SeparatingPose pose;
+  pose.q = Eigen::VectorXd::Constant(6, 10 * kDegree);
+  pose.q[2] = 0.25;
+  result.diagnosis->findings[0].separating_poses = {pose};
+  return result;
+}
+
+Result WithCurveOver(const std::string& driver, double value) {
+  Result result = WithFinding();
+  Unexplained rest;
+  rest.fraction = 1;
+  rest.slot = "theta1";
+  rest.driver = driver;
+  rest.unit = "rad";
+  rest.curve = {{value, 1e-4, 1e-5}};
+  result.diagnosis->unexplained = rest;
+  return result;
+}
+
+HiddenRisk Hidden(const std::string& effect, double limit) {
+  HiddenRisk risk;
+  risk.effect.effect = effect;
+  risk.visibility = 0.5;
+  risk.limit = limit;
+  risk.unit = "rad";
+  return risk;
+}
+
+TEST(DiagnosisSection, PosesOfTurningJointsAreInDegrees) {
+  Result result = WithSeparatingPose();
+  result.diagnosis->findings[0].separating_poses[0].q[2] = -20 * kDegree;
+  EXPECT_THAT(DiagnosisSection(ExampleSpec(), result),
+              HasSubstr("pose: 10.0, 10.0, -20.0, 10.0, 10.0, 10.0 deg\n"));
+}
+
+TEST(DiagnosisSection, SlidingJointsOfAPoseAreInMillimetres) {
+  EXPECT_THAT(DiagnosisSection(WithSlidingJointThree(), WithSeparatingPose()),
+              HasSubstr("pose: 10.0 deg, 10.0 deg, 250.0 mm, 10.0 deg, 10.0 deg, 10.0 deg\n"));
+}
+
+TEST(DiagnosisSection, ACurveOverATurningJointIsInDegrees) {
+  const std::string text =
+      DiagnosisSection(WithSlidingJointThree(), WithCurveOver("q2", 30 * kDegree));
+  EXPECT_THAT(text, ContainsRegex("\\[deg\\] +\\[mrad\\] +\\[mrad\\]\n +30\\.0 +0\\.100"));
+}
+
+TEST(DiagnosisSection, ACurveOverASlidingJointIsInMillimetres) {
+  const std::string text = DiagnosisSection(WithSlidingJointThree(), WithCurveOver("q3", 0.25));
+  EXPECT_THAT(text, ContainsRegex("\\[mm\\] +\\[mrad\\] +\\[mrad\\]\n +250\\.0 +0\\.100"));
+}
+
+TEST(DiagnosisSection, ACurveOverAnythingElseStandsAsItIs) {
+  const std::string text = DiagnosisSection(ExampleSpec(), WithCurveOver("quality", 7));
+  EXPECT_THAT(text, ContainsRegex("\n +7\\.0 +0\\.100"));
+  EXPECT_THAT(text, Not(HasSubstr("[deg]")));
+}
+
+TEST(DiagnosisSection, NumbersThatAreNotKnownAreNotPrinted) {
+  Result result = WithFinding();
+  DiagnosisResult& d = *result.diagnosis;
+  d.findings[0].effect_class = "geometry";
+  d.validation_method = "set column";
+  d.rms_test_before = 4e-4;
+  d.rms_test_after = 3e-5;
+  const std::string text = DiagnosisSection(ExampleSpec(), result);
+  EXPECT_THAT(text, Not(HasSubstr("- -> -")));
+  EXPECT_THAT(text, Not(HasSubstr("All physics together")));
+  EXPECT_THAT(text,
+              HasSubstr("Complete geometry: RMS on rows not fitted (set column) 0.4000 -> "
+                        "0.03000 mm."));
+  d.rms_train_before = 5e-4;
+  d.rms_train_after = 2e-5;
+  EXPECT_THAT(DiagnosisSection(ExampleSpec(), result),
+              HasSubstr("All physics together: RMS on fitted rows 0.5000 -> 0.02000 mm;"));
+}
+
+TEST(DiagnosisSection, SaysOnlyThatTheCompleteGeometryHasNoFit) {
+  Result result = ExampleResult();
+  result.diagnosis.emplace();
+  result.diagnosis->verdict = DiagnosisVerdict::kUnexplained;
+  result.diagnosis->summary = "the complete geometry could not be fitted";
+  result.diagnosis->false_alarm = 0.01;
+  EXPECT_EQ(DiagnosisSection(ExampleSpec(), result),
+            "\nLEFT-OUT PHYSICS: UNEXPLAINED\n\n"
+            "  In short: the complete geometry could not be fitted.\n");
+}
+
+TEST(DiagnosisSection, LimitsThatSayNothingAreLeftOut) {
+  Result result = WithFinding();
+  result.diagnosis->hidden = {Hidden("base_drift", 0),
+                              Hidden("tool_step", std::numeric_limits<double>::infinity()),
+                              Hidden("backlash", 2e-5),
+                              Hidden("sensor_scale", kUnknown)};
+  const std::string text = DiagnosisSection(ExampleSpec(), result);
+  EXPECT_THAT(text, Not(HasSubstr("base_drift")));
+  EXPECT_THAT(text, Not(HasSubstr("tool_step")));
+  EXPECT_THAT(text, ContainsRegex("backlash +0\\.500 +2\\.0e-05"));
+  EXPECT_THAT(text, ContainsRegex("sensor_scale +0\\.500 +never"));
+  result.diagnosis->hidden.resize(2);
+  EXPECT_THAT(DiagnosisSection(ExampleSpec(), result), Not(HasSubstr("cannot exclude")));
+}
+
+}  // namespace
+}  // namespace dhcal
