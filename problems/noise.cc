@@ -89,6 +89,7 @@ NoiseSource SourceOfNoise(const Calibration& c) {
                        std::all_of(c.readings.fitted.begin(), c.readings.fitted.end(), own_sigma) &&
                        std::all_of(c.readings.test.begin(), c.readings.test.end(), own_sigma);
   NoiseSource source;
+  source.per_row = per_row;
   source.sigma_given = per_row || c.spec.measurement.sigma.has_value();
   source.rotation_given = c.spec.measurement.kind != MeasurementKind::kPose ||
                           c.spec.measurement.sigma_rotation.has_value();
@@ -107,7 +108,8 @@ Noise InitialNoise(const Calibration& c) {
     }
     if (!known.empty()) noise.sigma = Median(known);
   }
-  noise.sigma = c.spec.measurement.sigma.value_or(noise.sigma);
+  // The value for blank cells; where none is blank, rows speak for themselves.
+  if (!SourceOfNoise(c).per_row) noise.sigma = c.spec.measurement.sigma.value_or(noise.sigma);
   noise.sigma_rotation = c.spec.measurement.sigma_rotation.value_or(noise.sigma_rotation);
   if (SourceOfNoise(c).all_given()) return noise;
 

@@ -13,6 +13,7 @@ namespace dhcal {
 
 /// Which of the sigmas the problem or the recording give.
 struct NoiseSource {
+  bool per_row = false;  // every row that is used has one of its own
   bool sigma_given = false;
   bool rotation_given = false;  // true where no rotation is measured
   std::string description;

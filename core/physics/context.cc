@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include <glog/logging.h>
@@ -79,12 +80,27 @@ void PhysicsContext::FillDirections() {
 }
 
 void PhysicsContext::FillClock() {
-  const bool timed = has_time();
-  clock_.resize(num_rows());
-  for (int k = 0; k < num_rows(); ++k) clock_[k] = timed ? recording_.time[k] : k;
+  clock_ = Eigen::VectorXd::LinSpaced(num_rows(), 0, num_rows() - 1);
+  drift_clock_ = clock_;
   if (num_rows() == 0) return;
-  clock_.array() -= clock_.minCoeff();
-  duration_ = clock_.maxCoeff();
+  if (has_time()) {
+    has_one_clock_ = true;
+    double latest = recording_.time[0];
+    for (int k = 1; k < num_rows(); ++k) {
+      const bool new_run = recording_.run(k) != recording_.run(k - 1);
+      if (new_run && recording_.time[k] < latest) has_one_clock_ = false;
+      latest = std::max(latest, recording_.time[k]);
+    }
+    drift_clock_ = recording_.time;
+    if (has_one_clock_) clock_ = recording_.time.array() - recording_.time.minCoeff();
+  }
+  std::map<int, double> start;  // of each run
+  for (int k = 0; k < num_rows(); ++k) {
+    double& first = start.try_emplace(recording_.run(k), drift_clock_[k]).first->second;
+    first = std::min(first, drift_clock_[k]);
+  }
+  for (int k = 0; k < num_rows(); ++k) drift_clock_[k] -= start.at(recording_.run(k));
+  duration_ = drift_clock_.maxCoeff();
 }
 
 }  // namespace dhcal

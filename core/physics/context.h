@@ -76,8 +76,13 @@ class PhysicsContext {
   const Eigen::MatrixXd& direction() const { return direction_; }
 
   bool has_time() const { return recording_.time.size() > 0 && recording_.time.allFinite(); }
-  /// Seconds since the first row; the row's number where there is no clock.
+  /// True if, moreover, no run begins before the end of the one before it.
+  bool has_one_clock() const { return has_one_clock_; }
+  /// Seconds since the first row; the row's number where there is no clock for all runs.
   const Eigen::VectorXd& clock() const { return clock_; }
+  /// Seconds since the first row of the run: drifts begin anew with each (formats.md).
+  const Eigen::VectorXd& drift_clock() const { return drift_clock_; }
+  /// Of the longest run [s].
   double duration() const { return duration_; }
 
  private:
@@ -94,7 +99,8 @@ class PhysicsContext {
   std::vector<Eigen::Isometry3d> X_WB_;
   std::vector<Eigen::Isometry3d> frames_;  // num_rows x (n + 1)
   Eigen::MatrixXd direction_;
-  Eigen::VectorXd clock_;
+  Eigen::VectorXd clock_, drift_clock_;
+  bool has_one_clock_ = false;
   double duration_ = 0;
 };
 

@@ -33,7 +33,7 @@ std::string DriftNotTestable(const PhysicsContext& c, const EffectRequest& reque
     return HasTemperature(c, joint) ? "" : "the temperature is constant or has blanks";
   }
   if (!c.has_time()) return "the recording has neither temperatures nor a clock (t_s)";
-  return c.duration() > 0 ? "" : "all rows have the same time";
+  return c.duration() > 0 ? "" : "all rows of a run have the same time";
 }
 
 Eigen::VectorXd DriftProfile(const PhysicsContext& c, const EffectRequest& request, int joint) {
@@ -42,8 +42,8 @@ Eigen::VectorXd DriftProfile(const PhysicsContext& c, const EffectRequest& reque
     return temperature.array() - temperature[0];
   }
   const double constant = request.setting("time_constant_s", 0);
-  if (constant <= 0) return c.clock() / c.duration();
-  return 1.0 - (-c.clock().array() / constant).exp();
+  if (constant <= 0) return c.drift_clock() / c.duration();
+  return 1.0 - (-c.drift_clock().array() / constant).exp();
 }
 
 std::vector<EffectRequest> DriftCandidates(const PhysicsContext& c,

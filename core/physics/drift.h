@@ -17,8 +17,8 @@ std::string DriftNotTestable(const PhysicsContext& context,
                              const EffectRequest& request,
                              int joint);
 
-/// T - T(first row) [K]; or 1 - exp(-t/T) by the clock, or t / duration where the time constant is
-/// 0 or not given.
+/// T - T(first row) [K]; or 1 - exp(-t/T) by the clock of the run, or t / duration where the time
+/// constant is 0 or not given.
 Eigen::VectorXd DriftProfile(const PhysicsContext& context,
                              const EffectRequest& request,
                              int joint);

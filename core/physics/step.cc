@@ -17,17 +17,18 @@ double Instant(const EffectRequest& request) {
 
 }  // namespace
 
-const char* StepSetting(const PhysicsContext& c) { return c.has_time() ? "at_s" : "at_row"; }
+const char* StepSetting(const PhysicsContext& c) { return c.has_one_clock() ? "at_s" : "at_row"; }
 
 std::string StepNotTestable(const PhysicsContext& c, const EffectRequest& request) {
   const bool at_s = request.settings.count("at_s") > 0;
   if (at_s && request.settings.count("at_row") > 0) {
     return "at_s and at_row both say when; keep one of them";
   }
-  if (at_s && !c.has_time()) {
+  if (at_s && !c.has_one_clock()) {
     return fmt::format("at_s needs a time in every row, but {}; add it, or give at_row instead",
-                       c.recording().time.size() == 0 ? "the recording has no column t_s"
-                                                      : "the column t_s has blank cells");
+                       c.has_time() ? "t_s of one run lies before that of the run before it"
+                       : c.recording().time.size() == 0 ? "the recording has no column t_s"
+                                                        : "the column t_s has blank cells");
   }
   const char* const setting = StepSetting(c);
   if (request.settings.count(setting) == 0) return fmt::format("needs the setting {}", setting);

@@ -87,7 +87,7 @@ std::vector<Driver> CommonDrivers(const PhysicsContext& c) {
     if (Varies(values)) drivers.push_back(Powers(name, values, 2));
   };
   if (Varies(c.clock())) {
-    drivers.push_back(Curve(c.has_time() ? "time" : "order of the rows", c.clock(), kKnots));
+    drivers.push_back(Curve(c.has_one_clock() ? "time" : "order of the rows", c.clock(), kKnots));
   }
   VectorXd payload(c.num_rows());
   for (int row = 0; row < c.num_rows(); ++row) payload[row] = c.payload(row);

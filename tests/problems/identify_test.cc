@@ -132,6 +132,13 @@ TEST(Identify, NoiseIsEstimatedFromTheRowsThatStateNone) {
   EXPECT_NEAR(Solve(made).noise_sigma / kSigma, 1.0, 0.2);
 }
 
+TEST(Identify, TheStatedSigmaIsForBlankCellsOnly) {
+  Case made = MakeCase(200, 8);
+  made.spec.measurement.sigma = kSigma / 5;
+  made.recording.sigma.setConstant(200, 2 * kSigma);
+  EXPECT_DOUBLE_EQ(Solve(made).noise_sigma, 2 * kSigma);
+}
+
 TEST(Identify, ARowWithoutAReadingNeedsNoSigma) {
   Case made = MakeCase(200, 8);
   made.recording.sigma.setConstant(200, 2 * kSigma);

@@ -149,6 +149,14 @@ TEST_F(Program, SeveralProblemsGiveASummaryTable) {
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("23/24"), HasSubstr("20/24")));
 }
 
+TEST_F(Program, ACommaSeparatesProblemsUnlessItIsPartOfAName) {
+  const std::string kr15 = ReadAll(SourcePath("problems/kr15.yaml"));
+  Write("a,b.yaml", kr15);
+  EXPECT_EQ(Run("--problem a,b.yaml --quiet").exit_status, 0);
+  Write("c.yaml", kr15);
+  EXPECT_THAT(Run("--problem c.yaml,d.yaml").err, HasSubstr("d.yaml"));
+}
+
 TEST_F(Program, TwoProblemsWithOneFolderAreRefused) {
   const Outcome outcome = Run(Case("kr15") + Case("kr15"));
   EXPECT_EQ(outcome.exit_status, 2);

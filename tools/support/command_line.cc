@@ -1,6 +1,7 @@
 #include "tools/support/command_line.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <set>
 #include <sstream>
@@ -43,6 +44,11 @@ Exit status: 0 a usable result, 1 no usable result (the report says why), 2 bad 
 )";
 
 void AddProblems(const std::string& list, std::vector<std::string>* problems) {
+  // A comma may be part of a file's name.
+  if (std::filesystem::exists(list)) {
+    problems->push_back(list);
+    return;
+  }
   std::stringstream stream(list);
   for (std::string item; std::getline(stream, item, ',');) {
     if (!item.empty()) problems->push_back(item);

@@ -42,6 +42,29 @@ TEST(Step, SaysThatTheClockIsMissing) {
   EXPECT_THAT(WhyNoStep({{"at_s", 3600}}, rows), HasSubstr("the recording has no column t_s"));
 }
 
+TEST(Step, ATimeThatBeginsAnewInEachRunIsNoInstant) {
+  Recording rows = WorkedExampleRecording();
+  rows.run_names = {"a", "b"};
+  rows.run_idx = {0, 0, 1};
+  EXPECT_EQ(WhyNoStep({{"at_s", 3600}}, rows), "") << "one clock for both runs";
+  rows.time[2] = 0;
+  EXPECT_THAT(WhyNoStep({{"at_s", 3600}}, rows), HasSubstr("lies before that of the run before"));
+  EXPECT_EQ(WhyNoStep({{"at_row", 1}}, rows), "");
+}
+
+TEST(Drift, BeginsAnewWithEachRun) {
+  Recording rows = WorkedExampleRecording();  // 0, 3600, 7200 s
+  const RobotModel robot = WorkedExampleRobot();
+  EXPECT_EQ(PhysicsContext(robot, rows, {robot.X_WB}).drift_clock(),
+            Eigen::Vector3d(0, 3600, 7200));
+  rows.run_names = {"a", "b"};
+  rows.run_idx = {0, 1, 1};
+  const PhysicsContext runs(robot, rows, {robot.X_WB});
+  EXPECT_EQ(runs.drift_clock(), Eigen::Vector3d(0, 0, 3600));
+  EXPECT_EQ(runs.clock(), Eigen::Vector3d(0, 3600, 7200));
+  EXPECT_EQ(runs.duration(), 3600);
+}
+
 TEST(Step, HasOneInstant) {
   EXPECT_THAT(WhyNoStep({{"at_s", 3600}, {"at_row", 1}}), HasSubstr("keep one of them"));
 }
