@@ -109,9 +109,11 @@ Eigen::VectorXd Calibration::SlotDeltas(const Eigen::VectorXd& state, int row_id
 }
 
 double Calibration::RowSigma(int row_idx, const Noise& noise) const {
-  if (recording.sigma.size() == 0) return noise.sigma;
-  const double own = recording.sigma[row_idx];
-  return std::isfinite(own) ? own : noise.sigma;
+  return HasOwnSigma(row_idx) ? recording.sigma[row_idx] : noise.sigma;
+}
+
+bool Calibration::HasOwnSigma(int row_idx) const {
+  return recording.sigma.size() > 0 && std::isfinite(recording.sigma[row_idx]);
 }
 
 Eigen::Isometry3d Calibration::Pose(const Eigen::VectorXd& state, int row_idx) const {

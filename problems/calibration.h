@@ -51,6 +51,8 @@ struct Calibration {
   Eigen::VectorXd SlotDeltas(const Eigen::VectorXd& state, int row_idx) const;
   /// Standard deviation of a row's coordinates [m].
   double RowSigma(int row_idx, const Noise& noise) const;
+  /// True if the row's cell sigma_mm says it.
+  bool HasOwnSigma(int row_idx) const;
   /// Pose X_WQ of a row at a state.
   Eigen::Isometry3d Pose(const Eigen::VectorXd& state, int row_idx) const;
   /// X_WQ as measured; only with orientation.

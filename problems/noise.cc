@@ -20,10 +20,6 @@ struct WhitenedResiduals {
   std::vector<double> lengths, rotations;
 };
 
-bool HasOwnSigma(const Calibration& c, int row_idx) {
-  return c.recording.sigma.size() > 0 && std::isfinite(c.recording.sigma[row_idx]);
-}
-
 /// Lengths of rows with a sigma of their own are left out: they tell nothing about the others'.
 WhitenedResiduals Split(const Calibration& c, const Eigen::VectorXd& residuals) {
   const int coordinates = NumCoordinates(c.spec.measurement.kind);
@@ -32,7 +28,7 @@ WhitenedResiduals Split(const Calibration& c, const Eigen::VectorXd& residuals) 
     const Reading& reading = c.readings.fitted[static_cast<std::size_t>(k / coordinates)];
     if (k % coordinates >= 3) {
       split.rotations.push_back(residuals[k]);
-    } else if (!HasOwnSigma(c, reading.row_idx)) {
+    } else if (!c.HasOwnSigma(reading.row_idx)) {
       split.lengths.push_back(residuals[k]);
     }
   }
@@ -81,9 +77,9 @@ Noise Rescale(const Calibration& c, const Noise& noise, const WhitenedResiduals&
 NoiseSource SourceOfNoise(const Calibration& c) {
   // A row that gives no reading needs no sigma; with shared noise the row before counts, too.
   const auto own_sigma = [&](const Reading& reading) {
-    return HasOwnSigma(c, reading.row_idx) &&
+    return c.HasOwnSigma(reading.row_idx) &&
            (c.spec.measurement.noise != NoiseKind::kSharedPose || reading.previous_idx < 0 ||
-            HasOwnSigma(c, reading.previous_idx));
+            c.HasOwnSigma(reading.previous_idx));
   };
   const bool per_row = c.recording.sigma.size() > 0 &&
                        std::all_of(c.readings.fitted.begin(), c.readings.fitted.end(), own_sigma) &&
@@ -100,6 +96,7 @@ NoiseSource SourceOfNoise(const Calibration& c) {
 }
 
 Noise InitialNoise(const Calibration& c) {
+  const NoiseSource source = SourceOfNoise(c);
   Noise noise;
   if (c.recording.sigma.size() > 0) {
     std::vector<double> known;
@@ -109,9 +106,9 @@ Noise InitialNoise(const Calibration& c) {
     if (!known.empty()) noise.sigma = Median(known);
   }
   // The value for blank cells; where none is blank, rows speak for themselves.
-  if (!SourceOfNoise(c).per_row) noise.sigma = c.spec.measurement.sigma.value_or(noise.sigma);
+  if (!source.per_row) noise.sigma = c.spec.measurement.sigma.value_or(noise.sigma);
   noise.sigma_rotation = c.spec.measurement.sigma_rotation.value_or(noise.sigma_rotation);
-  if (SourceOfNoise(c).all_given()) return noise;
+  if (source.all_given()) return noise;
 
   const auto problem = BuildProblem(c, noise, /*with_loss=*/false);
   Linearization linearization;

@@ -60,17 +60,19 @@ step() {
   [ "$result" = passed ]
 }
 
-# build <preset>: configures and builds; the configuration's lines are shown only if it fails.
-build() {
+# configure <preset>: its lines are shown only if it fails.
+configure() {
   local log="$logs/configure-$1"
   cmake --preset "$1" -DDHCAL_WERROR=ON >"$log" 2>&1 || { cat "$log"; return 1; }
-  cmake --build --preset "$1" -j "$jobs"
+}
+
+build() {
+  configure "$1" && cmake --build --preset "$1" -j "$jobs"
 }
 
 # tidy: the release build compiles in batches, so the commands of single files are those of `dev`.
 tidy() {
-  cmake --preset dev -DDHCAL_WERROR=ON >"$logs/configure-dev" 2>&1 || { cat "$logs/configure-dev"; return 1; }
-  python3 tools/tidy.py --build build/dev --jobs "$jobs"
+  configure dev && python3 tools/tidy.py --build build/dev --jobs "$jobs"
 }
 
 # run_tests <test preset>: runs the tests and keeps CTest's summary for the end.

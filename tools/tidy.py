@@ -3,7 +3,8 @@
 
 usage: tools/tidy.py [--build DIR] [--jobs N] [--batch N] [--no-cache] [FILE...]
 
-DIR (default build/dev) must be configured, without unity builds: its compile_commands.json says how to read a file.
+DIR (default build/dev) must be configured, without unity builds: its compile_commands.json says how
+to read a file.
 Most of clang-tidy's time goes into headers and template instantiations. So the files of one target
 are read N (default 16) at a time, one behind the other as a single source. That only finds out that
 all is well: the files of a batch with any finding, also that two define the same name, are read

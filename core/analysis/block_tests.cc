@@ -192,8 +192,7 @@ BlockScore BlockTests::ScoreOf(const Conditioned& c, int block) const {
   const ColumnRange& range = blocks_[static_cast<std::size_t>(block)];
   score.Q = (factor.transpose() * c.z.segment(range.first, range.size)).squaredNorm();
   score.z = NormalScore(score.Q, score.k, c.rss, c.nu);
-  score.p = gram_.sigma_known ? ChiSquareTail(score.Q, score.k)
-                              : RemovalTail(score.Q, score.k, c.rss, c.nu);
+  score.p = RemovalTail(score.Q, score.k, c.rss, c.nu, gram_.sigma_known);
   return score;
 }
 

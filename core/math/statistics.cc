@@ -26,7 +26,8 @@ double FTail(double x, double k, double nu) {
   return boost::math::cdf(boost::math::complement(boost::math::fisher_f(k, nu), std::max(x, 0.0)));
 }
 
-double RemovalTail(double Q, double k, double rss, double nu) {
+double RemovalTail(double Q, double k, double rss, double nu, bool sigma_known) {
+  if (sigma_known) return ChiSquareTail(Q, k);
   const double rest = nu - k;
   if (!(k > 0) || rest < 1) return 1;
   return FTail(Q / k / (std::max(rss - Q, 1e-300) / rest), k, rest);

@@ -16,10 +16,10 @@ double ChiSquareTail(double x, double dof);
 /// P(F with `k` and `nu` degrees of freedom > x).
 double FTail(double x, double k, double nu);
 
-/// Probability that `k` columns remove `Q` or more of the squares `rss` by chance, where what they
-/// leave is noise of unknown size; `nu`: freedom before them. One where nothing is left to judge
-/// by.
-double RemovalTail(double Q, double k, double rss, double nu);
+/// Probability that `k` columns remove `Q` or more of the squares `rss` by chance; `nu`: freedom
+/// before them. With noise of unit size that of chi-square; else what they leave is noise of
+/// unknown size, and one is the answer where nothing is left to judge by.
+double RemovalTail(double Q, double k, double rss, double nu, bool sigma_known = false);
 
 /// The standard normal score of a chi-square variable with `dof` degrees of freedom, given as its
 /// mean square x / dof (Wilson and Hilferty 1931).

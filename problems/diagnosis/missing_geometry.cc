@@ -39,13 +39,7 @@ Gain GainOf(const Eigen::MatrixXd& U,
   }
   gain.removed = (gain.basis.transpose() * y).squaredNorm();
   const auto k = static_cast<double>(gain.basis.cols());
-  const double rest = dof - k;
-  if (sigma_known) {
-    gain.p = ChiSquareTail(gain.removed, k);
-  } else if (rest >= 1) {
-    const double left = std::max(y.squaredNorm() - gain.removed, 1e-300);
-    gain.p = FTail(gain.removed / k / (left / rest), k, rest);
-  }
+  gain.p = RemovalTail(gain.removed, k, y.squaredNorm(), dof, sigma_known);
   return gain;
 }
 

@@ -120,10 +120,6 @@ OrderProducts ProductsOf(const JointSums& sums, const VectorXd& q, const OrderGr
   return {(D - C.real()) / 2, (D + C.real()) / 2, C.imag() / 2};
 }
 
-double TailOf(double Q, double rss, double nu, bool sigma_known) {
-  return sigma_known ? ChiSquareTail(Q, 2) : RemovalTail(Q, 2, rss, nu);
-}
-
 /// Squares that sine and cosine of one order remove. S: 2 x 2 after projection.
 double Removed(const Eigen::Matrix2d& S, const Eigen::Vector2d& z, double norm2) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(S);
@@ -220,7 +216,7 @@ std::vector<SpectralPeak> ScanOrders(const PhysicsContext& c,
   });
   const double width = ScanWidth(c);
   for (SpectralPeak& peak : peaks) {
-    peak.p = TailOf(peak.Q, rss, nu, sigma_known);
+    peak.p = RemovalTail(peak.Q, 2, rss, nu, sigma_known);  // sine and cosine
     peak.p_scan = ScanProbability(peak.p, width);
   }
   return peaks;

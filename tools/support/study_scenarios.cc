@@ -304,11 +304,9 @@ Draw MakeDraw(const Scenario& s, std::uint64_t seed) {
     recording.displacement = displacement;
     recording.p_WQ.resize(0, 0);
   }
-  for (int run = 0; s.runs > 1 && run < s.runs; ++run) {
-    recording.run_names.push_back(std::to_string(run + 1));
-  }
-  for (int row = 0; s.runs > 1 && row < s.poses; ++row) {
-    recording.run_idx.push_back(row * s.runs / s.poses);
+  if (s.runs > 1) {
+    for (int run = 0; run < s.runs; ++run) recording.run_names.push_back(std::to_string(run + 1));
+    for (int row = 0; row < s.poses; ++row) recording.run_idx.push_back(row * s.runs / s.poses);
   }
   ProblemSpec& spec = draw.spec;
   spec.name = s.name;

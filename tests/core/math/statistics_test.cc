@@ -61,6 +61,7 @@ TEST(RemovalTail, IsTheFTestOfWhatColumnsRemove) {
   EXPECT_DOUBLE_EQ(RemovalTail(30, 2, 100, 20), FTail(15.0 / (70.0 / 18), 2, 18));
   EXPECT_EQ(RemovalTail(30, 2, 100, 2.5), 1) << "nothing is left to judge by";
   EXPECT_EQ(RemovalTail(30, 0, 100, 20), 1) << "no column";
+  EXPECT_EQ(RemovalTail(30, 2, 100, 20, /*sigma_known=*/true), ChiSquareTail(30, 2));
 }
 
 TEST(ChiSquareScore, HasTheTailOfTheNormalAtTheTablesQuantiles) {
