@@ -10,6 +10,8 @@
 
 #include "core/physics/registry.h"
 #include "problems/parameter_set.h"
+#include "residuals/readings.h"
+#include "residuals/registry.h"
 
 namespace dhcal {
 namespace {
@@ -40,9 +42,10 @@ void AddHeld(const std::vector<EffectColumn>& columns,
 Calibration::Calibration(const ProblemSpec& problem_spec, const Recording& rows)
     : spec(problem_spec),
       recording(rows),
+      measurement(MakeMeasurement(problem_spec.measurement, rows)),
       chain(problem_spec.robot),
       parameters(ResolveParameters(problem_spec, rows).estimated),
-      readings(CollectReadings(problem_spec.measurement, rows)),
+      readings(CollectReadings(*measurement, rows, problem_spec.measurement.anchored)),
       frames(problem_spec.robot, rows) {
   if (!problem_spec.parameters.effects.empty()) SetEffects(problem_spec.parameters.effects);
 }
@@ -120,24 +123,6 @@ Eigen::Isometry3d Calibration::Pose(const Eigen::VectorXd& state, int row_idx) c
   return chain.Pose<double>(recording.q.row(row_idx).transpose(),
                             SlotDeltas(state, row_idx),
                             frames.ends(recording.run(row_idx), Target(row_idx)));
-}
-
-Eigen::Isometry3d Calibration::MeasuredPose(int row_idx) const {
-  const Eigen::Vector4d q = recording.quaternion.row(row_idx);
-  Eigen::Isometry3d X_WQ(Eigen::Quaterniond(q[0], q[1], q[2], q[3]));
-  X_WQ.translation() = recording.p_WQ.row(row_idx).transpose();
-  return X_WQ;
-}
-
-Eigen::Vector3d Calibration::Anchor(int row_idx) const {
-  const auto name_idx =
-      static_cast<std::size_t>(recording.anchor_idx[static_cast<std::size_t>(row_idx)]);
-  const std::string& name = recording.anchor_names[name_idx];
-  const auto& anchors = spec.measurement.anchors;
-  const auto found = std::find_if(
-      anchors.begin(), anchors.end(), [&](const auto& anchor) { return anchor.name == name; });
-  CHECK(found != anchors.end()) << "anchor " << name << " was not checked on input";
-  return found->p_WA;
 }
 
 bool InScope(const Parameter& parameter, int run, int target) {

@@ -2,6 +2,7 @@
 #ifndef DHCAL_PROBLEMS_CALIBRATION_H_
 #define DHCAL_PROBLEMS_CALIBRATION_H_
 
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -9,10 +10,11 @@
 #include "core/kinematics/dh_chain.h"
 #include "core/model/parameter.h"
 #include "core/model/problem_spec.h"
+#include "core/model/reading.h"
 #include "core/model/recording.h"
 #include "core/physics/effect.h"
 #include "problems/frames.h"
-#include "problems/readings.h"
+#include "residuals/measurement.h"
 
 namespace dhcal {
 
@@ -28,6 +30,7 @@ struct Calibration {
 
   const ProblemSpec& spec;
   const Recording& recording;
+  std::shared_ptr<const Measurement> measurement;  // what a reading is
   DhChain chain;
   std::vector<Parameter> parameters;  // unknown; state k corrects parameters[k]
   Readings readings;
@@ -55,10 +58,6 @@ struct Calibration {
   bool HasOwnSigma(int row_idx) const;
   /// Pose X_WQ of a row at a state.
   Eigen::Isometry3d Pose(const Eigen::VectorXd& state, int row_idx) const;
-  /// X_WQ as measured; only with orientation.
-  Eigen::Isometry3d MeasuredPose(int row_idx) const;
-  /// p_WA of a row's anchor [m]; only for distances.
-  Eigen::Vector3d Anchor(int row_idx) const;
 };
 
 /// True if a parameter acts on rows of this run and target.

@@ -11,24 +11,19 @@ namespace {
 
 /// Share of each fitted reading in its own prediction: the diagonal of the hat matrix, summed over
 /// the reading's coordinates. The shares of all readings add up to the rank.
-std::vector<double> Leverages(const Calibration& c,
-                              const FitAnalysis& analysis,
-                              const Eigen::VectorXd& state) {
+std::vector<double> Leverages(const FitAnalysis& analysis, const CalibrationProblem& problem) {
   const TruncatedSvd& svd = analysis.identifiability.all;
   const Eigen::MatrixXd to_unit =
       svd.scale.asDiagonal() * svd.kept() * svd.s.head(svd.rank).cwiseInverse().asDiagonal();
-  const auto problem = BuildProblem(c, analysis.noise);
-  problem->set_state(state);
-  const int coordinates = NumCoordinates(c.spec.measurement.kind);
-  std::vector<double> leverages(problem->readings.size(), 0.0);
-  ForEachChunk(problem.get(),
-               problem->readings,
-               [&](int first, const Eigen::VectorXd& /*r*/, const Eigen::MatrixXd& J) {
-                 const Eigen::VectorXd of_row = (J * to_unit).rowwise().squaredNorm();
-                 for (Eigen::Index k = 0; k < of_row.size(); ++k) {
-                   leverages[static_cast<std::size_t>(first + k / coordinates)] += of_row[k];
-                 }
-               });
+  std::vector<double> leverages(static_cast<std::size_t>(problem.rows().num_readings()), 0.0);
+  problem.rows().Visit(problem.state(), problem.row_noise(), [&](const TileRows& tile) {
+    const Eigen::VectorXd of_row = (tile.J * to_unit).rowwise().squaredNorm();
+    const std::size_t count = tile.readings.size();
+    for (Eigen::Index k = 0; k < of_row.size(); ++k) {
+      const auto i = static_cast<std::size_t>(k) % count;
+      leverages[static_cast<std::size_t>(tile.readings[i])] += of_row[k];
+    }
+  });
   return leverages;
 }
 
@@ -46,14 +41,12 @@ RowResidual DescribeRow(const Calibration& c,
   row.predicted_after = after.predicted;
   row.residual = after.residual;
   double sigma = c.RowSigma(reading.row_idx, analysis.noise);
-  if (c.spec.measurement.kind == MeasurementKind::kAdjacentPosition &&
-      c.spec.measurement.noise == NoiseKind::kSharedPose) {
+  if (c.spec.measurement.noise == NoiseKind::kSharedPose && reading.previous_idx >= 0) {
     sigma = std::hypot(sigma, c.RowSigma(reading.previous_idx, analysis.noise));
   }
   row.standardised = after.residual / sigma;
-  if (row.residual.size() == 6) {
-    row.standardised.tail<3>() = row.residual.tail<3>() / analysis.noise.sigma_rotation;
-  }
+  const Eigen::Index rotations = row.residual.size() - c.measurement->kind().num_lengths();
+  row.standardised.tail(rotations) = row.residual.tail(rotations) / analysis.noise.sigma_rotation;
   return row;
 }
 
@@ -61,8 +54,9 @@ RowResidual DescribeRow(const Calibration& c,
 
 std::vector<RowResidual> DescribeRows(const Calibration& c,
                                       const FitAnalysis& analysis,
-                                      const Eigen::VectorXd& state) {
-  const std::vector<double> leverages = Leverages(c, analysis, state);
+                                      const CalibrationProblem& problem) {
+  const Eigen::VectorXd& state = problem.state();
+  const std::vector<double> leverages = Leverages(analysis, problem);
   std::vector<RowResidual> rows;
   for (std::size_t k = 0; k < c.readings.fitted.size(); ++k) {
     rows.push_back(DescribeRow(c, analysis, state, c.readings.fitted[k]));

@@ -1,10 +1,10 @@
 #include "problems/fit.h"
 
 #include <cmath>
+#include <memory>
 
 #include <fmt/format.h>
 
-#include "problems/assembly.h"
 #include "problems/noise.h"
 
 namespace dhcal {
@@ -23,7 +23,7 @@ bool DependsOnNoise(const Calibration& c, const SolverOptions& options) {
   bool priors = false;
   for (const Parameter& parameter : c.parameters) priors |= parameter.prior_sigma.has_value();
   return priors || options.truncation.rule == TruncationRule::kNoise ||
-         c.spec.measurement.kind == MeasurementKind::kPose || c.spec.solver.loss != LossKind::kNone;
+         c.measurement->kind().sees_orientation() || c.spec.solver.loss != LossKind::kNone;
 }
 
 }  // namespace
@@ -56,28 +56,28 @@ Fit RunFit(const Calibration& calibration,
   fit.noise = initial_noise;
   double seconds = 0;
   const bool robust = calibration.spec.solver.loss != LossKind::kNone;
-  Eigen::VectorXd state = start;
-  if (state.size() == 0) {
-    state.setZero(static_cast<Eigen::Index>(calibration.parameters.size()));
-  }
+  fit.problem = std::make_shared<CalibrationProblem>(calibration, fit.noise, /*with_loss=*/false);
+  if (start.size() > 0) fit.problem->set_state(start);
+  const Eigen::VectorXd first = fit.problem->state();
   for (int round = 0; round < kMostNoiseRounds; ++round) {
     // A robust loss gives readings that are far off no weight, and at the start all of them are:
     // the first round is plain least squares, and the next start from there.
-    const bool with_loss = robust && round > 0;
-    const auto factory = [&] {
-      auto problem = BuildProblem(calibration, fit.noise, with_loss);
-      problem->set_state(state);
-      return problem;
-    };
-    fit.summary = MakeSolver(method)->Solve(with_progress, factory);
+    if (robust && round == 1) {
+      const Eigen::VectorXd plain = fit.problem->state();
+      fit.problem = std::make_shared<CalibrationProblem>(calibration, fit.noise);
+      fit.problem->set_state(plain);
+    } else {
+      fit.problem->Rewhiten(fit.noise);
+      if (!robust) fit.problem->set_state(first);
+    }
+    fit.summary = MakeSolver(method)->Solve(with_progress, fit.problem.get());
     seconds += fit.summary.seconds;
     fit.summary.seconds = seconds;
     if (!fit.summary.IsSolutionUsable()) break;
     const int rank = fit.summary.trace.empty() ? 0 : fit.summary.trace.back().rank;
-    fit.noise_seen = NoiseFromResiduals(calibration, fit.noise, fit.summary.state, rank);
+    fit.noise_seen = NoiseFromResiduals(calibration, *fit.problem, fit.noise, rank);
     const bool settled = !DependsOnNoise(calibration, options) || Agree(fit.noise_seen, fit.noise);
-    if (settled && with_loss == robust) break;
-    if (robust) state = fit.summary.state;
+    if (settled && (round > 0 || !robust)) break;
     if (round + 1 < kMostNoiseRounds) fit.noise = fit.noise_seen;
   }
   return fit;

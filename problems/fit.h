@@ -3,10 +3,12 @@
 #define DHCAL_PROBLEMS_FIT_H_
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "core/model/problem_spec.h"
 #include "core/solver/solver.h"
+#include "problems/assembly.h"
 #include "problems/calibration.h"
 
 namespace dhcal {
@@ -17,8 +19,9 @@ using Progress = std::function<void(const std::string&)>;
 struct Fit {
   SolverMethod method = SolverMethod::kSvdGaussNewton;
   SolverSummary summary;
-  Noise noise;       // that whitened the last solve
-  Noise noise_seen;  // given, or what the residuals at the solution show
+  Noise noise;                                  // that whitened the last solve
+  Noise noise_seen;                             // given, or what the residuals at the solution show
+  std::shared_ptr<CalibrationProblem> problem;  // at the solution; what was solved
 };
 
 /// Solver options as the problem file sets them.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/analysis/ceres_covariance.h"
 #include "core/analysis/null_space.h"
@@ -46,27 +47,36 @@ int NumPoses(const Calibration& c) { return static_cast<int>(c.readings.fitted.s
 
 }  // namespace
 
-FitAnalysis Analyse(const Calibration& c, const Fit& fit) {
+std::optional<FitAnalysis> Analyse(const Calibration& c, const Fit& fit) {
   FitAnalysis analysis;
   analysis.noise = fit.noise_seen;
-  const auto problem = BuildProblem(c, analysis.noise);
-  problem->set_state(fit.summary.state);
+  CalibrationProblem& problem = *fit.problem;
+  problem.Rewhiten(analysis.noise);
+  problem.set_state(fit.summary.state);
   Linearization readings, all;
-  if (!Linearize(problem.get(), &all, &readings)) return analysis;
-  analysis.num_residuals = readings.num_residuals;
-  analysis.cost = all.cost();
-  analysis.identifiability = Identify(readings, all, problem->scales.tolerance, NumPoses(c));
+  if (!Linearize(&problem, &all, &readings)) return std::nullopt;
+  analysis.num_residuals = NumPoses(c) * c.measurement->kind().num_coordinates();
+  analysis.cost = all.cost;
+  analysis.readings_triangle = readings;
+  analysis.identifiability = Identify(readings, all, problem.scales.tolerance, NumPoses(c));
+  const auto by_ceres = CovarianceByCeres(analysis.identifiability.all, &problem);
+  analysis.covariance_check = CompareSigmas(by_ceres, analysis.identifiability);
+  if (by_ceres) analysis.identifiability.covariance = *by_ceres;
   analysis.degrees_of_freedom =
       SourceOfNoise(c).all_given()
           ? std::numeric_limits<double>::infinity()
-          : std::max(1, readings.num_residuals - analysis.identifiability.readings.rank);
+          : std::max(1, analysis.num_residuals - analysis.identifiability.readings.rank);
   return analysis;
 }
 
 FitResult DescribeFit(const Calibration& c, const Fit& fit, const FitAnalysis* analysis) {
   FitResult result;
   DescribeSolve(c, fit, &result);
-  if (!result.usable || analysis == nullptr) return result;
+  if (analysis == nullptr) {
+    // A usable solve whose solution cannot be linearised is no result.
+    result.usable = false;
+    return result;
+  }
   const Identifiability& identifiability = analysis->identifiability;
   result.cost = analysis->cost;
   const int freedom = analysis->num_residuals - identifiability.readings.rank;
@@ -81,15 +91,11 @@ FitResult DescribeFit(const Calibration& c, const Fit& fit, const FitAnalysis* a
   result.rank_numerical = identifiability.numerical_rank;
   result.condition_number = identifiability.condition_number;
   result.observability = identifiability.observability;
-  result.null_space = ExplainNullSpace(
-      identifiability.readings, c.parameters, c.spec.robot, c.spec.measurement.kind);
+  result.null_space =
+      ExplainNullSpace(identifiability.readings, c.parameters, c.spec.robot, c.measurement->kind());
   result.parameters = DescribeParameters(c, fit.summary.state, *analysis, result.null_space);
-
-  const auto problem = BuildProblem(c, analysis->noise);
-  problem->set_state(fit.summary.state);
-  const CovarianceCheck check = CheckAgainstCeres(identifiability, c.parameters, problem.get());
-  result.covariance_check = check.sentence;
-  result.covariance_difference = check.difference;
+  result.covariance_check = analysis->covariance_check.sentence;
+  result.covariance_difference = analysis->covariance_check.difference;
   return result;
 }
 

@@ -2,10 +2,13 @@
 #ifndef DHCAL_PROBLEMS_FIT_ANALYSIS_H_
 #define DHCAL_PROBLEMS_FIT_ANALYSIS_H_
 
+#include <optional>
 #include <vector>
 
+#include "core/analysis/ceres_covariance.h"
 #include "core/analysis/identifiability.h"
 #include "core/model/result.h"
+#include "core/solver/linearization.h"
 #include "problems/calibration.h"
 #include "problems/fit.h"
 
@@ -18,9 +21,13 @@ struct FitAnalysis {
   double degrees_of_freedom = kNotSet;  // of the noise estimate; infinite when given
   int num_residuals = 0;                // readings' coordinates, without priors
   double cost = kNotSet;                // at the solution, readings and priors
+  Linearization readings_triangle;      // of the readings alone
+  CovarianceCheck covariance_check;
 };
 
-FitAnalysis Analyse(const Calibration& calibration, const Fit& fit);
+/// Rewhitens the fit's problem by the noise that its residuals show. Nothing where the solution
+/// cannot be linearised.
+std::optional<FitAnalysis> Analyse(const Calibration& calibration, const Fit& fit);
 
 /// A fit as the result reports it; `nominal` is the robot of the problem file. Parameters are
 /// filled only if the fit is usable.
@@ -36,7 +43,7 @@ std::vector<ComparedParameter> CompareFits(const Calibration& calibration,
 /// start (nominal rows, base and tool aligned).
 std::vector<RowResidual> DescribeRows(const Calibration& calibration,
                                       const FitAnalysis& analysis,
-                                      const Eigen::VectorXd& state);
+                                      const CalibrationProblem& problem);
 
 }  // namespace dhcal
 

@@ -37,8 +37,8 @@ void AddNotes(const Calibration& c, Result* result) {
         "if one coordinate were read to {:g} um; give measurement.sigma_mm for your instrument.",
         kFinestSigma / kMicrometre));
   }
-  if (c.spec.measurement.kind == MeasurementKind::kAdjacentPosition &&
-      c.spec.measurement.noise == NoiseKind::kIndependent && !HasDisplacements(c.recording)) {
+  if (c.measurement->kind().pairs && c.spec.measurement.noise == NoiseKind::kIndependent &&
+      c.recording.displacement.rows() == 0) {
     result->notes.push_back(
         "Differences were taken from measured positions, so each position's error enters two of "
         "them; 'noise: shared_pose' would weigh that exactly.");
@@ -72,7 +72,7 @@ void DescribeFits(const Calibration& c, const std::vector<Fit>& fits, Result* re
   const Fit& best = fits[static_cast<std::size_t>(result->best_fit)];
   const Eigen::VectorXd& state = best.summary.state;
   result->noise_sigma = best_analysis->noise.sigma;
-  if (c.spec.measurement.kind == MeasurementKind::kPose) {
+  if (c.measurement->kind().sees_orientation()) {
     result->noise_sigma_rotation = best_analysis->noise.sigma_rotation;
   }
   if (fits.size() == 2 && fits[0].summary.IsSolutionUsable() &&
@@ -80,8 +80,8 @@ void DescribeFits(const Calibration& c, const std::vector<Fit>& fits, Result* re
     result->comparison =
         CompareFits(c, best_analysis->identifiability, state, fits[1].summary.state);
   }
-  result->validation = Validate(c, *best_analysis, state);
-  result->residuals = DescribeRows(c, *best_analysis, state);
+  result->validation = Validate(c, *best_analysis, *best.problem);
+  result->residuals = DescribeRows(c, *best_analysis, *best.problem);
   result->calibrated = CalibratedRobot(c, state);
 }
 
@@ -93,13 +93,12 @@ void CheckEnoughReadings(const ProblemSpec& spec,
   const Calibration c(spec, recording);
   const auto unknowns = c.parameters.size();
   const std::size_t numbers =
-      c.readings.fitted.size() * static_cast<std::size_t>(NumCoordinates(spec.measurement.kind));
+      c.readings.fitted.size() * static_cast<std::size_t>(spec.measurement.kind.num_coordinates());
   if (unknowns == 0) {
     diagnostics->Error(spec.parameters.where,
                        "parameters: nothing is left to estimate; name a group in 'estimate' that "
                        "'fix' does not take away");
-  } else if (c.readings.fitted.empty() &&
-             spec.measurement.kind == MeasurementKind::kAdjacentPosition) {
+  } else if (c.readings.fitted.empty() && spec.measurement.kind.pairs) {
     diagnostics->Error(
         {recording.file, 0, 0},
         "no two consecutive rows share run, target and set, so there is no displacement to fit; "
@@ -135,7 +134,9 @@ Result IdentifyGeometry(const ProblemSpec& spec,
   result.rows_test = static_cast<int>(c.readings.test.size());
   result.num_poses = recording.num_rows();
   result.simulated = spec.simulate.has_value();
-  result.coordinate_names = CoordinateNames(spec.measurement.kind);
+  for (const MeasuredCoordinate& coordinate : spec.measurement.kind.coordinates) {
+    result.coordinate_names.push_back(coordinate.name);
+  }
   result.calibrated = spec.robot;
   result.noise_source = SourceOfNoise(c).description;
   result.nominal =

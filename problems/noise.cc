@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "core/math/statistics.h"
@@ -20,31 +21,29 @@ struct WhitenedResiduals {
   std::vector<double> lengths, rotations;
 };
 
-/// Lengths of rows with a sigma of their own are left out: they tell nothing about the others'.
-WhitenedResiduals Split(const Calibration& c, const Eigen::VectorXd& residuals) {
-  const int coordinates = NumCoordinates(c.spec.measurement.kind);
+/// Whitened residuals of the fitted readings at the problem's state, as the linear model has them
+/// after a step (none: empty). Lengths of rows with a sigma of their own are left out: they tell
+/// nothing about the others'. Nothing where the model cannot be evaluated.
+std::optional<WhitenedResiduals> Split(const Calibration& c,
+                                       const CalibrationProblem& problem,
+                                       const Eigen::VectorXd& step = {}) {
+  const std::vector<MeasuredCoordinate>& coordinates = c.measurement->kind().coordinates;
   WhitenedResiduals split;
-  for (Eigen::Index k = 0; k < residuals.size(); ++k) {
-    const Reading& reading = c.readings.fitted[static_cast<std::size_t>(k / coordinates)];
-    if (k % coordinates >= 3) {
-      split.rotations.push_back(residuals[k]);
-    } else if (!c.HasOwnSigma(reading.row_idx)) {
-      split.lengths.push_back(residuals[k]);
+  const auto visit = [&](const TileRows& tile) {
+    const Eigen::VectorXd r = step.size() > 0 ? Eigen::VectorXd(tile.r + tile.J * step) : tile.r;
+    const std::size_t count = tile.readings.size();
+    for (std::size_t k = 0; k < coordinates.size() * count; ++k) {
+      const auto reading = static_cast<std::size_t>(tile.readings[k % count]);
+      const double value = r[static_cast<Eigen::Index>(k)];
+      if (coordinates[k / count].unit == Unit::kRadian) {
+        split.rotations.push_back(value);
+      } else if (!c.HasOwnSigma(c.readings.fitted[reading].row_idx)) {
+        split.lengths.push_back(value);
+      }
     }
-  }
+  };
+  if (!problem.rows().Visit(problem.state(), problem.row_noise(), visit)) return std::nullopt;
   return split;
-}
-
-/// Whitened residuals of the linear model after a step.
-Eigen::VectorXd ResidualsAfter(EstimationProblem* problem, const Eigen::VectorXd& step) {
-  std::vector<double> residuals;
-  ForEachChunk(problem,
-               problem->readings,
-               [&](int /*first*/, const Eigen::VectorXd& r, const Eigen::MatrixXd& J) {
-                 const Eigen::VectorXd after = r + J * step;
-                 residuals.insert(residuals.end(), after.begin(), after.end());
-               });
-  return Eigen::Map<Eigen::VectorXd>(residuals.data(), static_cast<Eigen::Index>(residuals.size()));
 }
 
 /// Standard deviation of values that `share` of the freedom is left to.
@@ -58,7 +57,7 @@ double Scale(const std::vector<double>& values, double share, bool robust) {
 Noise Rescale(const Calibration& c, const Noise& noise, const WhitenedResiduals& r, int rank) {
   const NoiseSource source = SourceOfNoise(c);
   const auto count =
-      static_cast<double>(c.readings.fitted.size()) * NumCoordinates(c.spec.measurement.kind);
+      static_cast<double>(c.readings.fitted.size()) * c.measurement->kind().num_coordinates();
   const double share = std::max(1.0 - rank / count, 1.0 / count);
   const bool robust = c.spec.solver.loss != LossKind::kNone;
   Noise result = noise;
@@ -87,8 +86,8 @@ NoiseSource SourceOfNoise(const Calibration& c) {
   NoiseSource source;
   source.per_row = per_row;
   source.sigma_given = per_row || c.spec.measurement.sigma.has_value();
-  source.rotation_given = c.spec.measurement.kind != MeasurementKind::kPose ||
-                          c.spec.measurement.sigma_rotation.has_value();
+  source.rotation_given =
+      !c.measurement->kind().sees_orientation() || c.spec.measurement.sigma_rotation.has_value();
   source.description = per_row              ? "given per row"
                        : source.sigma_given ? "given"
                                             : "estimated from the residuals";
@@ -110,25 +109,22 @@ Noise InitialNoise(const Calibration& c) {
   noise.sigma_rotation = c.spec.measurement.sigma_rotation.value_or(noise.sigma_rotation);
   if (source.all_given()) return noise;
 
-  const auto problem = BuildProblem(c, noise, /*with_loss=*/false);
+  CalibrationProblem problem(c, noise, /*with_loss=*/false);
   Linearization linearization;
-  if (!Linearize(problem.get(), &linearization)) return noise;
+  if (!Linearize(&problem, &linearization)) return noise;
   const Truncation rule{TruncationRule::kRelative, kRelativeCut};
-  const TruncatedSvd svd = Truncate(rule, problem->scales.tolerance, linearization);
-  const Eigen::VectorXd step = svd.Solve(linearization.b);
-  return Rescale(c, noise, Split(c, ResidualsAfter(problem.get(), step)), svd.rank);
+  const TruncatedSvd svd = Truncate(rule, problem.scales.tolerance, linearization);
+  const auto residuals = Split(c, problem, svd.Solve(linearization.b));
+  return residuals ? Rescale(c, noise, *residuals, svd.rank) : noise;
 }
 
 Noise NoiseFromResiduals(const Calibration& c,
+                         const CalibrationProblem& problem,
                          const Noise& noise,
-                         const Eigen::VectorXd& state,
                          int rank) {
   if (SourceOfNoise(c).all_given()) return noise;
-  const auto problem = BuildProblem(c, noise, /*with_loss=*/false);
-  problem->set_state(state);
-  Eigen::VectorXd residuals;
-  if (!EvaluateReadings(problem.get(), &residuals)) return noise;
-  return Rescale(c, noise, Split(c, residuals), rank);
+  const auto residuals = Split(c, problem);
+  return residuals ? Rescale(c, noise, *residuals, rank) : noise;
 }
 
 }  // namespace dhcal

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "core/solver/solver.h"
+#include "problems/assembly.h"
 #include "problems/calibration.h"
 
 namespace dhcal {
@@ -30,11 +31,12 @@ constexpr double kFinestSigmaRotation = 1e-7;  // [rad]
 /// Given sigmas, and for the others what the linear model at the start leaves.
 Noise InitialNoise(const Calibration& calibration);
 
-/// `noise` with the sigmas that are not given replaced by what the residuals at `state` show, for
-/// `rank` parameters determined. With a robust loss by their median absolute value.
+/// `noise`, which whitens `problem`, with the sigmas that are not given replaced by what the
+/// residuals at its state show, for `rank` parameters determined. With a robust loss by their
+/// median absolute value.
 Noise NoiseFromResiduals(const Calibration& calibration,
+                         const CalibrationProblem& problem,
                          const Noise& noise,
-                         const Eigen::VectorXd& state,
                          int rank);
 
 }  // namespace dhcal

@@ -2,7 +2,6 @@
 #ifndef DHCAL_PROBLEMS_PREDICTION_H_
 #define DHCAL_PROBLEMS_PREDICTION_H_
 
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -23,9 +22,6 @@ struct Comparison {
 Comparison Compare(const Calibration& calibration,
                    const Eigen::VectorXd& state,
                    const Reading& reading);
-
-/// Names of the coordinates: "x", "y", "z", "rx", ...; "dx" for displacements; "distance".
-std::vector<std::string> CoordinateNames(MeasurementKind kind);
 
 struct ResidualStatistics {
   double rms = kNotSet;           // [m] per coordinate

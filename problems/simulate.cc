@@ -1,7 +1,6 @@
 #include "problems/simulate.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,14 +10,13 @@
 #include <glog/logging.h>
 
 #include "core/base/rng.h"
-#include "core/io/recording_reader.h"
 #include "core/kinematics/dh_chain.h"
 #include "core/physics/registry.h"
+#include "problems/formats/recording/recording_reader.h"
+#include "residuals/registry.h"
 
 namespace dhcal {
 namespace {
-
-constexpr double kBlank = std::numeric_limits<double>::quiet_NaN();
 
 /// Joint columns; from a motion file also what else it says about its rows (clock, payload,
 /// temperature, directions, speeds, torques, runs), which effects may need.
@@ -122,80 +120,6 @@ std::optional<Eigen::MatrixXd> EffectSlots(const ProblemSpec& spec,
   return delta;
 }
 
-Eigen::Vector3d NormalVector(double sigma, Rng* rng) {
-  const double x = rng->Normal(), y = rng->Normal(), z = rng->Normal();
-  return sigma * Eigen::Vector3d(x, y, z);
-}
-
-/// Fills the columns of a recording whose joint columns and labels stand.
-class Measurer {
- public:
-  Measurer(const ProblemSpec& spec, Rng* rng) : spec_(spec), rng_(rng) {}
-
-  void Measure(const std::vector<Eigen::Isometry3d>& X_WQ, Recording* recording) const {
-    switch (spec_.measurement.kind) {
-      case MeasurementKind::kPosition:
-        return Positions(X_WQ, recording);
-      case MeasurementKind::kPose:
-        Positions(X_WQ, recording);
-        return Orientations(X_WQ, recording);
-      case MeasurementKind::kDistance:
-        return Distances(X_WQ, recording);
-      case MeasurementKind::kAdjacentPosition:
-        // A shared error belongs to the pose, an independent one to the displacement.
-        if (spec_.measurement.noise == NoiseKind::kSharedPose) return Positions(X_WQ, recording);
-        return Displacements(X_WQ, recording);
-    }
-  }
-
- private:
-  double noise() const { return spec_.simulate->noise; }
-
-  void Positions(const std::vector<Eigen::Isometry3d>& X_WQ, Recording* recording) const {
-    recording->p_WQ.resize(static_cast<Eigen::Index>(X_WQ.size()), 3);
-    for (std::size_t k = 0; k < X_WQ.size(); ++k) {
-      recording->p_WQ.row(static_cast<Eigen::Index>(k)) =
-          X_WQ[k].translation() + NormalVector(noise(), rng_);
-    }
-  }
-
-  void Orientations(const std::vector<Eigen::Isometry3d>& X_WQ, Recording* recording) const {
-    recording->quaternion.resize(static_cast<Eigen::Index>(X_WQ.size()), 4);
-    for (std::size_t k = 0; k < X_WQ.size(); ++k) {
-      const Eigen::Vector3d turn = NormalVector(spec_.simulate->noise_rotation, rng_);
-      const Eigen::Quaterniond q(ExpSO3<double>(turn) * X_WQ[k].linear());
-      recording->quaternion.row(static_cast<Eigen::Index>(k)) << q.w(), q.x(), q.y(), q.z();
-    }
-  }
-
-  void Displacements(const std::vector<Eigen::Isometry3d>& X_WQ, Recording* recording) const {
-    const int num_targets = std::max<int>(static_cast<int>(recording->target_names.size()), 1);
-    recording->displacement.setConstant(static_cast<Eigen::Index>(X_WQ.size()), 3, kBlank);
-    for (int k = num_targets; k < recording->num_rows(); ++k) {
-      const auto now = static_cast<std::size_t>(k);
-      const auto before = static_cast<std::size_t>(k - num_targets);
-      recording->displacement.row(k) =
-          X_WQ[now].translation() - X_WQ[before].translation() + NormalVector(noise(), rng_);
-    }
-  }
-
-  void Distances(const std::vector<Eigen::Isometry3d>& X_WQ, Recording* recording) const {
-    const std::vector<Anchor>& anchors = spec_.measurement.anchors;
-    CHECK(!anchors.empty());
-    for (const Anchor& anchor : anchors) recording->anchor_names.push_back(anchor.name);
-    recording->distance.resize(static_cast<Eigen::Index>(X_WQ.size()));
-    for (std::size_t k = 0; k < X_WQ.size(); ++k) {
-      const std::size_t anchor = k % anchors.size();
-      recording->anchor_idx.push_back(static_cast<int>(anchor));
-      recording->distance[static_cast<Eigen::Index>(k)] =
-          (X_WQ[k].translation() - anchors[anchor].p_WA).norm() + noise() * rng_->Normal();
-    }
-  }
-
-  const ProblemSpec& spec_;
-  Rng* rng_;
-};
-
 void Add(const Eigen::VectorXd& errors,
          JointSlot kind,
          const SlotLayout& slots,
@@ -241,7 +165,9 @@ std::optional<Recording> SimulateRecording(const ProblemSpec& spec, Diagnostics*
     X_WQ.push_back(chain.Pose<double>(
         recording.q.row(row_idx).transpose(), errors + physics->col(row_idx), ends));
   }
-  Measurer(spec, &rng).Measure(X_WQ, &recording);
+  const ReadingNoise noise{spec.simulate->noise, spec.simulate->noise_rotation};
+  FindMeasurementType(spec.measurement.kind.name)
+      ->Simulate(spec.measurement, X_WQ, noise, &rng, &recording);
   return recording;
 }
 

@@ -41,21 +41,21 @@ Eigen::Isometry3d PoseInBase(const Calibration& c, int row_idx) {
 }
 
 void AlignBase(int run, Calibration* c) {
-  const bool adjacent = c->spec.measurement.kind == MeasurementKind::kAdjacentPosition;
+  const bool differences = c->measurement->kind().pairs;
   std::vector<Eigen::Vector3d> in_base, in_world;
   for (const Reading& reading : c->readings.fitted) {
     if (c->frames.base_per_run() && c->recording.run(reading.row_idx) != run) continue;
-    const Eigen::Vector3d p_BQ = PoseInBase(*c, reading.row_idx).translation();
-    if (adjacent) {
-      in_base.push_back(p_BQ - PoseInBase(*c, reading.previous_idx).translation());
-      in_world.push_back(MeasuredDisplacement(c->recording, reading));
-    } else {
-      in_base.push_back(p_BQ);
-      in_world.push_back(c->recording.p_WQ.row(reading.row_idx));
+    Eigen::Vector3d p_BQ = PoseInBase(*c, reading.row_idx).translation();
+    if (differences) {
+      // An anchored first pose is no difference.
+      if (reading.previous_idx < 0) continue;
+      p_BQ -= PoseInBase(*c, reading.previous_idx).translation();
     }
+    in_base.push_back(p_BQ);
+    in_world.push_back(c->measurement->Point(reading));
   }
   if (in_base.empty()) return;
-  if (adjacent) {
+  if (differences) {
     c->frames.mutable_base(run).linear() = AlignVectors(Columns(in_base), Columns(in_world));
   } else {
     c->frames.mutable_base(run) = AlignPoints(Columns(in_base), Columns(in_world));
@@ -70,19 +70,19 @@ void AlignToolRotation(int run, int target, Calibration* c) {
     if (!c->spec.robot.targets.empty() && c->Target(reading.row_idx) != target) continue;
     const Eigen::Isometry3d X_WT = c->frames.base(row_run) * PoseInBase(*c, reading.row_idx) *
                                    c->frames.tool(row_run, target).inverse();
-    rotations.push_back(X_WT.linear().transpose() * c->MeasuredPose(reading.row_idx).linear());
+    rotations.push_back(X_WT.linear().transpose() * c->measurement->Orientation(reading));
   }
   if (!rotations.empty()) c->frames.mutable_tool(run, target).linear() = MeanRotation(rotations);
 }
 
 void AlignFrames(Calibration* c) {
-  if (c->spec.measurement.kind == MeasurementKind::kDistance) return;
+  if (!c->measurement->kind().is_point()) return;
   const int num_runs = std::max<int>(static_cast<int>(c->recording.run_names.size()), 1);
   const int num_targets = std::max<int>(static_cast<int>(c->spec.robot.targets.size()), 1);
   for (int run = 0; run < (c->frames.base_per_run() ? num_runs : 1); ++run) {
     if (IsFree(*c, ParameterGroup::kBase, run, 0)) AlignBase(run, c);
   }
-  if (c->spec.measurement.kind != MeasurementKind::kPose) return;
+  if (!c->measurement->kind().sees_orientation()) return;
   for (int run = 0; run < (c->frames.tool_per_run() ? num_runs : 1); ++run) {
     for (int target = 0; target < num_targets; ++target) {
       if (IsFree(*c, ParameterGroup::kTool, run, target)) AlignToolRotation(run, target, c);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/math/tsqr.h"
@@ -16,65 +18,92 @@ namespace {
 constexpr int kFolds = 5;
 
 /// Triangles of [J, -r], one per block of consecutive readings: all that a left-out prediction
-/// needs, whatever the number of rows.
-std::vector<Eigen::MatrixXd> FoldTriangles(EstimationProblem* problem, int coordinates) {
-  const int num_unknowns = problem->num_unknowns();
-  std::vector<Tsqr> folds(kFolds, Tsqr(num_unknowns + 1));
-  const auto num_readings = static_cast<Eigen::Index>(problem->readings.size());
-  ForEachChunk(problem,
-               problem->readings,
-               [&](int first, const Eigen::VectorXd& r, const Eigen::MatrixXd& J) {
-                 Eigen::MatrixXd rows(J.rows(), num_unknowns + 1);
-                 rows << J, -r;
-                 for (Eigen::Index k = 0; k < rows.rows(); k += coordinates) {
-                   const Eigen::Index reading = first + k / coordinates;
-                   const auto fold = static_cast<std::size_t>(reading * kFolds / num_readings);
-                   folds[fold].Add(rows.middleRows(k, coordinates));
-                 }
-               });
+/// needs, whatever the number of rows. Nothing where the model cannot be evaluated.
+std::optional<std::vector<Eigen::MatrixXd>> FoldTriangles(const CalibrationProblem& problem) {
+  std::vector<Tsqr> folds(kFolds, Tsqr(problem.num_unknowns() + 1));
+  const int num_readings = problem.rows().num_readings();
+  Eigen::MatrixXd rows;
+  const auto visit = [&](const TileRows& tile) {
+    // Tiles are of neighbouring readings: those of one fold follow each other.
+    const auto count = static_cast<Eigen::Index>(tile.readings.size());
+    const Eigen::Index coordinates = tile.r.size() / count;
+    const auto fold_of = [&](Eigen::Index i) {
+      const std::int64_t reading = tile.readings[static_cast<std::size_t>(i)];
+      return static_cast<std::size_t>(reading * kFolds / num_readings);
+    };
+    for (Eigen::Index first = 0, last = 0; first < count; first = last) {
+      while (last < count && fold_of(last) == fold_of(first)) ++last;
+      for (Eigen::Index c = 0; c < coordinates; ++c) {
+        rows.resize(last - first, problem.num_unknowns() + 1);
+        rows << tile.J.middleRows(c * count + first, last - first),
+            -tile.r.segment(c * count + first, last - first);
+        folds[fold_of(first)].Add(rows);
+      }
+    }
+  };
+  if (!problem.rows().Visit(problem.state(), problem.row_noise(), visit)) return std::nullopt;
   std::vector<Eigen::MatrixXd> triangles;
   for (Tsqr& fold : folds) triangles.push_back(fold.R());
   return triangles;
 }
 
-/// Sum of squares of one fold's whitened residuals after the step that the other folds ask for, or
-/// that all folds ask for.
-double SquaresAfterStep(const std::vector<Eigen::MatrixXd>& folds,
-                        std::size_t of,
-                        bool leave_out,
-                        const Eigen::MatrixXd& prior,
-                        const Eigen::VectorXd& tolerance) {
-  Tsqr others(static_cast<int>(tolerance.size()) + 1);
-  for (std::size_t k = 0; k < folds.size(); ++k) {
-    if (k != of || !leave_out) others.Add(folds[k]);
-  }
-  others.Add(prior);
-  const Linearization from = FromTriangle(others.R(), others.num_rows());
-  const Eigen::VectorXd step = Truncate(Truncation(), tolerance, from).Solve(from.b);
-  Eigen::VectorXd step_and_one(step.size() + 1);
-  step_and_one << step, 1.0;
-  // [J, -r] (dx, 1) with the sign of -r turned: J dx + r = -( [J, -r] (-dx, 1) ).
-  step_and_one.head(step.size()) *= -1;
-  return (folds[of] * step_and_one).squaredNorm();
+/// [dx, -1] with the step dx that some rows, given as triangles of [J, -r], ask for.
+Eigen::VectorXd StepOf(const std::vector<Eigen::MatrixXd>& triangles,
+                       const Eigen::VectorXd& tolerance) {
+  Tsqr rows(static_cast<int>(tolerance.size()) + 1);
+  for (const Eigen::MatrixXd& triangle : triangles) rows.Add(triangle);
+  const Linearization from = FromTriangle(rows.R());
+  Eigen::VectorXd step_and_one(tolerance.size() + 1);
+  step_and_one << Truncate(Truncation(), tolerance, from).Solve(from.b), -1.0;
+  return step_and_one;
 }
 
-Eigen::MatrixXd PriorRows(EstimationProblem* problem) {
-  Tsqr tsqr(problem->num_unknowns() + 1);
-  ForEachChunk(problem,
-               problem->priors,
-               [&](int /*first*/, const Eigen::VectorXd& r, const Eigen::MatrixXd& J) {
-                 Eigen::MatrixXd rows(J.rows(), J.cols() + 1);
-                 rows << J, -r;
-                 tsqr.Add(rows);
-               });
-  return tsqr.R();
+/// Sums of squares of whitened residuals after the steps of the linear model.
+struct FoldSquares {
+  double train = 0;  // all folds ask for the step
+  double test = 0;   // each fold after the step that the others ask for
+};
+
+FoldSquares SquaresOf(const std::vector<Eigen::MatrixXd>& folds,
+                      const Eigen::MatrixXd& prior,
+                      const Eigen::VectorXd& tolerance) {
+  FoldSquares squares;
+  std::vector<Eigen::MatrixXd> all = folds;
+  all.push_back(prior);
+  // The solver may have stopped before its minimum; both figures are of the linear model's.
+  const Eigen::VectorXd common = StepOf(all, tolerance);
+  for (std::size_t k = 0; k < folds.size(); ++k) {
+    std::vector<Eigen::MatrixXd> others = all;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+    squares.train += (folds[k] * common).squaredNorm();
+    squares.test += (folds[k] * StepOf(others, tolerance)).squaredNorm();
+  }
+  return squares;
+}
+
+/// [J, -r] of the priors at the problem's state.
+Eigen::MatrixXd PriorRows(const Calibration& c, const Eigen::VectorXd& state) {
+  std::vector<Eigen::Index> with_prior;
+  for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+    if (c.parameters[k].prior_sigma) with_prior.push_back(static_cast<Eigen::Index>(k));
+  }
+  Eigen::MatrixXd rows =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(with_prior.size()), state.size() + 1);
+  for (std::size_t i = 0; i < with_prior.size(); ++i) {
+    const Eigen::Index k = with_prior[i];
+    const double sigma = *c.parameters[static_cast<std::size_t>(k)].prior_sigma;
+    rows(static_cast<Eigen::Index>(i), k) = 1 / sigma;
+    rows(static_cast<Eigen::Index>(i), state.size()) = -state[k] / sigma;
+  }
+  return rows;
 }
 
 }  // namespace
 
 ValidationResult Validate(const Calibration& c,
                           const FitAnalysis& analysis,
-                          const Eigen::VectorXd& state) {
+                          const CalibrationProblem& problem) {
+  const Eigen::VectorXd& state = problem.state();
   ValidationResult result;
   result.noise_sigma = analysis.noise.sigma;
   result.rms_train = Statistics(c, state, c.readings.fitted).rms;
@@ -89,31 +118,24 @@ ValidationResult Validate(const Calibration& c,
   }
   // With few readings the folds determine less than the whole; with mixed units, rows of different
   // weight or whitened contrasts one number in metres would not describe them.
-  const int coordinates = NumCoordinates(c.spec.measurement.kind);
+  const int coordinates = c.measurement->kind().num_coordinates();
   const auto num_readings = static_cast<int>(c.readings.fitted.size());
   const int enough = 2 * static_cast<int>(c.parameters.size());
   if (num_readings * coordinates * (kFolds - 1) / kFolds < enough ||
-      c.spec.measurement.kind == MeasurementKind::kPose || c.recording.sigma.size() > 0 ||
-      c.spec.measurement.noise == NoiseKind::kSharedPose) {
+      c.measurement->kind().sees_orientation() || c.recording.sigma.size() > 0 ||
+      (c.spec.measurement.noise == NoiseKind::kSharedPose && !c.spec.measurement.anchored)) {
     return result;
   }
-  const auto problem = BuildProblem(c, analysis.noise, /*with_loss=*/false);
-  problem->set_state(state);
-  const std::vector<Eigen::MatrixXd> folds = FoldTriangles(problem.get(), coordinates);
-  const Eigen::MatrixXd prior = PriorRows(problem.get());
-  double train = 0, test = 0;
-  for (std::size_t k = 0; k < folds.size(); ++k) {
-    // The solver may have stopped before its minimum; both figures are of the linear model's.
-    train += SquaresAfterStep(folds, k, false, prior, problem->scales.tolerance);
-    test += SquaresAfterStep(folds, k, true, prior, problem->scales.tolerance);
-  }
-  const auto rms = [&](double squares) {
-    return std::sqrt(squares / (num_readings * coordinates)) * analysis.noise.sigma;
+  const auto folds = FoldTriangles(problem);
+  if (!folds) return result;
+  const FoldSquares squares = SquaresOf(*folds, PriorRows(c, state), problem.scales.tolerance);
+  const auto rms = [&](double sum) {
+    return std::sqrt(sum / (num_readings * coordinates)) * analysis.noise.sigma;
   };
   result.method = "blocked k-fold";
   result.rows = num_readings;
-  result.rms_train = rms(train);
-  result.rms_test = rms(test);
+  result.rms_train = rms(squares.train);
+  result.rms_test = rms(squares.test);
   if (coordinates == 3) result.rms_point_test = result.rms_test * std::sqrt(3.0);
   return result;
 }

@@ -12,7 +12,7 @@ namespace dhcal {
 /// in turn and predicted by the linear model of the others, with the noise rule's truncation.
 ValidationResult Validate(const Calibration& calibration,
                           const FitAnalysis& analysis,
-                          const Eigen::VectorXd& state);
+                          const CalibrationProblem& problem);
 
 }  // namespace dhcal
 

@@ -22,11 +22,11 @@
 #include <glog/logging.h>
 
 #include "core/base/units.h"
-#include "core/io/problem_checks.h"
-#include "core/io/problem_reader.h"
-#include "core/io/recording_reader.h"
 #include "problems/diagnosis/diagnose.h"
 #include "problems/diagnosis/transfer.h"
+#include "problems/formats/problem/problem_checks.h"
+#include "problems/formats/problem/problem_reader.h"
+#include "problems/formats/recording/recording_reader.h"
 #include "problems/identify.h"
 #include "problems/simulate.h"
 

@@ -1,85 +1,77 @@
 #include "core/analysis/ceres_covariance.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <ceres/covariance.h>
 #include <fmt/format.h>
 
-#include "core/analysis/null_space.h"
+#include "core/solver/truncated_subspace.h"
 
 namespace dhcal {
 namespace {
 
-/// One parameter of each dropped direction: those that elimination takes as pivots.
-std::vector<bool> Pivots(const TruncatedSvd& svd) {
-  std::vector<bool> is_pivot(static_cast<std::size_t>(svd.V.rows()), false);
-  const Eigen::MatrixXd basis = SparseBasis(svd.dropped());
-  for (Eigen::Index k = 0; k < basis.rows(); ++k) {
-    for (Eigen::Index col = 0; col < basis.cols(); ++col) {
-      // A pivot's column is a unit vector.
-      const auto idx = static_cast<std::size_t>(col);
-      const double others = basis.col(col).cwiseAbs().sum() - std::abs(basis(k, col));
-      if (std::abs(basis(k, col) - 1.0) < 1e-12 && others < 1e-9 && !is_pivot[idx]) {
-        is_pivot[idx] = true;
-        break;
-      }
-    }
-  }
-  return is_pivot;
+// Of double precision's 1e-16, what two factorisations of whitened, tolerance-scaled rows may lose.
+constexpr double kAgreement = 1e-9;
+
+ceres::Covariance::Options CovarianceOptions() {
+  ceres::Covariance::Options options;
+  options.algorithm_type = ceres::SPARSE_QR;
+  // A Ceres built without SuiteSparse has Eigen's sparse QR.
+  options.sparse_linear_algebra_library_type =
+      ceres::IsSparseLinearAlgebraLibraryTypeAvailable(ceres::SUITE_SPARSE) ? ceres::SUITE_SPARSE
+                                                                            : ceres::EIGEN_SPARSE;
+  return options;
 }
 
 }  // namespace
 
-CovarianceCheck CheckAgainstCeres(const Identifiability& identifiability,
-                                  const std::vector<Parameter>& parameters,
-                                  EstimationProblem* problem) {
-  CovarianceCheck check;
-  check.sigma.assign(parameters.size(), kNotSet);
-  const std::vector<bool> held = Pivots(identifiability.all);
-  std::vector<std::pair<const double*, const double*>> wanted;
-  const std::vector<double*> blocks = problem->blocks();
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    if (held[k]) {
-      problem->problem->SetParameterBlockConstant(blocks[k]);
-    } else {
-      wanted.emplace_back(blocks[k], blocks[k]);
-    }
-  }
-  ceres::Covariance::Options options;
-  options.algorithm_type = ceres::SPARSE_QR;
-  options.sparse_linear_algebra_library_type = ceres::SUITE_SPARSE;
-  ceres::Covariance covariance(options);
-  const bool computed = covariance.Compute(wanted, problem->problem.get());
-  int compared = 0;
-  for (std::size_t k = 0; computed && k < blocks.size(); ++k) {
-    if (held[k]) continue;
-    double variance = kNotSet;
-    covariance.GetCovarianceBlock(blocks[k], blocks[k], &variance);
-    check.sigma[k] = std::sqrt(variance);
-    if (identifiability.parameters[k].verdict != Verdict::kIdentified) continue;
-    const auto i = static_cast<Eigen::Index>(k);
-    const double ratio = check.sigma[k] / std::sqrt(identifiability.covariance(i, i));
-    check.difference = std::fmax(check.difference, std::abs(ratio - 1.0));
-    ++compared;
-  }
-  for (double* const block : blocks) problem->problem->SetParameterBlockVariable(block);
+std::optional<Eigen::MatrixXd> CovarianceByCeres(const TruncatedSvd& svd,
+                                                 EstimationProblem* problem) {
+  if (svd.rank == 0) return std::nullopt;
+  ceres::Problem* const probe = problem->PreparedProbe();
+  const double* const block = problem->probe_block();
+  probe->SetManifold(problem->probe_block(), new TruncatedSubspace(svd));
+  ceres::Covariance covariance(CovarianceOptions());
+  const std::vector<std::pair<const double*, const double*>> wanted = {{block, block}};
+  const Eigen::Index n = problem->num_unknowns();
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> kept(n, n);
+  const bool computed =
+      covariance.Compute(wanted, probe) && covariance.GetCovarianceBlock(block, block, kept.data());
+  probe->SetManifold(problem->probe_block(), nullptr);
+  if (!computed) return std::nullopt;
+  const Eigen::MatrixXd hidden = svd.scale.asDiagonal() * svd.dropped();
+  return Eigen::MatrixXd(kept) + hidden * hidden.transpose();
+}
 
-  const auto num_held = std::count(held.begin(), held.end(), true);
-  if (!computed) {
-    check.sentence = "SuiteSparse QR finds the Jacobian rank deficient; sigmas are the SVD's own.";
-  } else if (compared == 0) {
-    check.sentence = "No identified parameter to compare between SuiteSparse QR and the SVD.";
-  } else {
-    check.sentence = fmt::format(
-        "Sigmas of {} identified parameters from SuiteSparse QR ({} of {} held) agree with the "
-        "SVD's to {:.1g} relative.",
-        compared,
-        num_held,
-        blocks.size(),
-        check.difference);
+CovarianceCheck CompareSigmas(const std::optional<Eigen::MatrixXd>& ceres,
+                              const Identifiability& identifiability) {
+  CovarianceCheck check;
+  const Eigen::VectorXd svd = identifiability.covariance.diagonal().cwiseSqrt();
+  const auto count = svd.size();
+  if (identifiability.all.rank == 0) {
+    check.agrees = true;
+    check.sentence = "No direction is determined: every sigma is the parameter's tolerance.";
+    return check;
   }
+  if (!ceres) {
+    check.sentence = "ceres::Covariance could not be computed; sigmas are the SVD's, unchecked.";
+    return check;
+  }
+  const Eigen::VectorXd ratio = ceres->diagonal().cwiseSqrt().cwiseQuotient(svd);
+  check.difference = (ratio.array() - 1).abs().maxCoeff();
+  check.agrees = check.difference <= kAgreement;
+  check.sentence = fmt::format(
+      check.agrees
+          ? "Sigmas of all {} parameters are those of ceres::Covariance in the {} directions "
+            "kept; the SVD's agree to {:.1g} relative."
+          : "WARNING: sigmas of the {} parameters from ceres::Covariance in the {} directions "
+            "kept and from the SVD differ by {:.1g} relative, which is more than rounding: do "
+            "not trust the intervals.",
+      count,
+      identifiability.all.rank,
+      check.difference);
   return check;
 }
 

@@ -68,7 +68,7 @@ Eigen::MatrixXd SparseBasis(const Eigen::MatrixXd& directions) {
 std::vector<NullDirection> ExplainNullSpace(const TruncatedSvd& svd,
                                             const std::vector<Parameter>& parameters,
                                             const RobotModel& robot,
-                                            MeasurementKind kind) {
+                                            const MeasurementKind& kind) {
   const Eigen::MatrixXd basis = SparseBasis(svd.dropped());
   std::vector<NullDirection> result;
   for (Eigen::Index k = 0; k < basis.rows(); ++k) {

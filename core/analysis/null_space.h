@@ -23,7 +23,7 @@ Eigen::MatrixXd SparseBasis(const Eigen::MatrixXd& directions);
 std::vector<NullDirection> ExplainNullSpace(const TruncatedSvd& svd,
                                             const std::vector<Parameter>& parameters,
                                             const RobotModel& robot,
-                                            MeasurementKind kind);
+                                            const MeasurementKind& kind);
 
 /// True if the axes that theta_i and theta_j turn about are parallel at every pose up to a degree
 /// (only rows without twist between them): so near that plain DH needs Hayati's beta, also when the

@@ -171,10 +171,10 @@ PointMove MoveBy(const RobotModel& robot, const Parameter& parameter) {
 
 /// Why the geometry hides one parameter from all readings of a kind, or "" where it does not.
 std::string GeometryHides(const RobotModel& robot,
-                          MeasurementKind kind,
+                          const MeasurementKind& kind,
                           const Parameter& parameter) {
   // A measured orientation shows every turn, and a length moves the point itself.
-  if (parameter.slot < 0 || kind == MeasurementKind::kPose) return "";
+  if (parameter.slot < 0 || kind.sees_orientation()) return "";
   const PointMove seen = MoveBy(robot, parameter);
   if (parameter.unit == Unit::kRadian) {
     if (seen.move > kNothing * seen.reach) return "";
@@ -182,11 +182,11 @@ std::string GeometryHides(const RobotModel& robot,
                ? "turns the tool about the measured point: only a measured orientation shows it"
                : "turns about an axis through the measured point: no reading depends on it";
   }
-  if (kind != MeasurementKind::kAdjacentPosition || seen.change > kNothing) return "";
+  if (kind.sees_offset || seen.change > kNothing) return "";
   return "shifts all measured points alike: differences of readings do not show it";
 }
 
-std::string One(const RobotModel& robot, MeasurementKind kind, const Parameter& parameter) {
+std::string One(const RobotModel& robot, const MeasurementKind& kind, const Parameter& parameter) {
   const std::string reason = GeometryHides(robot, kind, parameter);
   if (!reason.empty()) return parameter.name + " " + reason;
   const char* const known = parameter.prior_sigma                        ? "prior"
@@ -234,7 +234,7 @@ std::string Many(const RobotModel& robot, const Names& names, const NullDirectio
 }  // namespace
 
 void WriteExplanations(const RobotModel& robot,
-                       MeasurementKind kind,
+                       const MeasurementKind& kind,
                        const std::vector<Parameter>& parameters,
                        std::vector<NullDirection>* directions) {
   const Names names(robot, parameters);

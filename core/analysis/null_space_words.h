@@ -15,7 +15,7 @@ namespace dhcal {
 /// as the reason for a single parameter only where it moves no reading, as the nominal robot has
 /// it; elsewhere its prior or tolerance is tighter than what the readings say.
 void WriteExplanations(const RobotModel& robot,
-                       MeasurementKind kind,
+                       const MeasurementKind& kind,
                        const std::vector<Parameter>& parameters,
                        std::vector<NullDirection>* directions);
 

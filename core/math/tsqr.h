@@ -19,6 +19,7 @@ class Tsqr {
   const Eigen::MatrixXd& R();
 
   int num_rows() const { return num_rows_; }
+  int num_cols() const { return num_cols_; }
 
  private:
   void Reduce();

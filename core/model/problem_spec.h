@@ -12,17 +12,16 @@
 
 #include "core/base/diagnostics.h"
 #include "core/model/effect_request.h"
+#include "core/model/measurement_kind.h"
 #include "core/model/robot.h"
 
 namespace dhcal {
 
-enum class MeasurementKind { kAdjacentPosition, kPosition, kPose, kDistance };
 enum class NoiseKind { kIndependent, kSharedPose };
 enum class SolverMethod { kSvdGaussNewton, kLevenbergMarquardt, kBoth };
 enum class TruncationRule { kNoise, kPaper, kRelative };
 enum class LossKind { kNone, kHuber, kCauchy, kTukey };
 
-const char* ToString(MeasurementKind kind);
 const char* ToString(SolverMethod method);
 
 struct Anchor {
@@ -31,11 +30,12 @@ struct Anchor {
 };
 
 struct MeasurementSpec {
-  MeasurementKind kind = MeasurementKind::kPosition;
+  MeasurementKind kind;                  // of the registry, residuals/registry.h
   std::optional<double> sigma;           // [m] one measured coordinate; absent = estimated
   std::optional<double> sigma_rotation;  // [rad] one component; absent = estimated
   NoiseKind noise = NoiseKind::kIndependent;
-  std::vector<Anchor> anchors;  // for kind distance
+  bool anchored = false;        // pairs: the first pose of each run and target is read, too
+  std::vector<Anchor> anchors;  // where the kind has anchors
 };
 
 struct ParameterSpec {

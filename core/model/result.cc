@@ -36,20 +36,6 @@ const char* ToString(Verdict verdict) {
   return "?";
 }
 
-const char* ToString(MeasurementKind kind) {
-  switch (kind) {
-    case MeasurementKind::kAdjacentPosition:
-      return "adjacent_position";
-    case MeasurementKind::kPosition:
-      return "position";
-    case MeasurementKind::kPose:
-      return "pose";
-    case MeasurementKind::kDistance:
-      return "distance";
-  }
-  return "?";
-}
-
 const char* ToString(SolverMethod method) {
   switch (method) {
     case SolverMethod::kSvdGaussNewton:

@@ -147,7 +147,7 @@ struct Result {
   int rows = -1;  // fitted
   int rows_test = -1;
   int num_poses = -1;
-  MeasurementKind kind = MeasurementKind::kPosition;
+  MeasurementKind kind;
   double noise_sigma = kNotSet;           // [m] used for the statistics
   double noise_sigma_rotation = kNotSet;  // [rad], kind pose
   std::string noise_source;               // "given", "estimated from the residuals", ...

@@ -43,20 +43,6 @@ std::string RowsText(const Result& result) {
   return text;
 }
 
-std::string MeasurementText(MeasurementKind kind) {
-  switch (kind) {
-    case MeasurementKind::kAdjacentPosition:
-      return "displacement of the tool point between successive poses (adjacent_position)";
-    case MeasurementKind::kPosition:
-      return "position of the tool point (position)";
-    case MeasurementKind::kPose:
-      return "position and orientation of the tool (pose)";
-    case MeasurementKind::kDistance:
-      return "distance of the tool point from an anchor (distance)";
-  }
-  return "?";
-}
-
 std::string NoiseText(const Result& result) {
   if (std::isnan(result.noise_sigma)) return "not known";
   std::string text = Millimetres(result.noise_sigma) + " mm per measured coordinate";
@@ -118,7 +104,7 @@ std::string InputSection(const ProblemSpec& spec, const Result& result) {
   text += Line("Robot", RobotText(spec.robot));
   text += Line("Recording", RecordingText(spec, result));
   text += Line("Rows", RowsText(result));
-  text += Line("Measurement", MeasurementText(result.kind));
+  text += Line("Measurement", fmt::format("{} ({})", result.kind.sentence, result.kind.name));
   text += Line("Noise", NoiseText(result));
   text += Line("Solver", SolverText(spec.solver));
   return text;

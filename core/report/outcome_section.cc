@@ -13,19 +13,6 @@
 namespace dhcal {
 namespace {
 
-std::string Predicted(MeasurementKind kind) {
-  switch (kind) {
-    case MeasurementKind::kAdjacentPosition:
-      return "displacement";
-    case MeasurementKind::kPosition:
-    case MeasurementKind::kPose:
-      return "position";
-    case MeasurementKind::kDistance:
-      return "distance";
-  }
-  return "?";
-}
-
 /// "0.02130 mm RMS (at most 0.06000 mm)": of the 3-D error where there is one.
 std::string ErrorText(double rms, double rms_point, double max_point) {
   if (std::isnan(rms_point)) return WithMillimetres(rms) + " RMS";
@@ -54,7 +41,7 @@ std::string Answer(const Result& result) {
   const ValidationResult& unseen = result.validation;
   const bool in_space = !std::isnan(fit.rms_point);
   std::string text = fmt::format("Error of the predicted {}{}: {}, {} after calibration.",
-                                 Predicted(result.kind),
+                                 result.kind.noun,
                                  in_space ? " (length of the 3-D error)" : "",
                                  ErrorBefore(result),
                                  ErrorText(fit.rms, fit.rms_point, fit.max_point));
@@ -138,7 +125,7 @@ std::string NoOutcomeSection(const Result& result) {
     text += "\n" + Wrap("  ",
                         fmt::format("Error of the predicted {} with the nominal parameters: "
                                     "{}.",
-                                    Predicted(result.kind),
+                                    result.kind.noun,
                                     NominalError(result)));
   }
   return text;

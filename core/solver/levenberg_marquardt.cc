@@ -1,8 +1,8 @@
 #include "core/solver/levenberg_marquardt.h"
 
-#include <memory>
 #include <vector>
 
+#include <ceres/manifold.h>
 #include <ceres/solver.h>
 #include <fmt/format.h>
 
@@ -11,21 +11,14 @@
 namespace dhcal {
 namespace {
 
-// Above this QR of the dense Jacobian would take more memory than the recording itself; the normal
-// equations then lose digits that no recording has.
-constexpr int kLargestDenseQr = 200000;
-
 // Share of the best seen parameter's effect below which a column is rounding.
 constexpr double kBlind = 1e-12;
 
-ceres::Solver::Options CeresOptions(const SolverOptions& options,
-                                    const EstimationProblem& problem) {
+ceres::Solver::Options CeresOptions(const SolverOptions& options) {
   ceres::Solver::Options ceres_options;
   ceres_options.minimizer_type = ceres::TRUST_REGION;
   ceres_options.trust_region_strategy_type = ceres::LEVENBERG_MARQUARDT;
-  ceres_options.linear_solver_type = problem.problem->NumResiduals() <= kLargestDenseQr
-                                         ? ceres::DENSE_QR
-                                         : ceres::DENSE_NORMAL_CHOLESKY;
+  ceres_options.linear_solver_type = ceres::DENSE_QR;
   ceres_options.max_num_iterations = options.max_iterations;
   // Weak directions lie six decades below the strong ones: the default tolerances and the default
   // damping would stop before they have moved.
@@ -40,15 +33,14 @@ ceres::Solver::Options CeresOptions(const SolverOptions& options,
 
 /// Parameters whose column is rounding only. Damping scales with the column, so that such a
 /// parameter would be moved at random and far; held constant it stays where it starts.
-std::vector<double*> BlindBlocks(EstimationProblem* problem) {
+std::vector<int> BlindParameters(EstimationProblem* problem) {
   Linearization linearization;
-  std::vector<double*> blind;
+  std::vector<int> blind;
   if (!Linearize(problem, &linearization)) return blind;
   const Eigen::VectorXd seen =
       linearization.R.colwise().norm().transpose().cwiseProduct(problem->scales.tolerance);
-  const std::vector<double*> blocks = problem->blocks();
   for (Eigen::Index k = 0; k < seen.size(); ++k) {
-    if (seen[k] <= kBlind * seen.maxCoeff()) blind.push_back(blocks[static_cast<std::size_t>(k)]);
+    if (seen[k] <= kBlind * seen.maxCoeff()) blind.push_back(static_cast<int>(k));
   }
   return blind;
 }
@@ -78,27 +70,28 @@ void Interpret(const SolverOptions& options,
 
 }  // namespace
 
-void LevenbergMarquardt::DoSolve(const SolverOptions& options,
-                                 const EstimationProblemFactory& factory,
-                                 EstimationProblem* problem,
-                                 SolverSummary* summary) const {
-  const std::unique_ptr<EstimationProblem> probe = factory();
-  TraceCallback callback(
-      probe.get(), &problem->state, options.truncation, options.kappa, options.progress);
-  for (double* const block : BlindBlocks(problem)) {
-    problem->problem->SetParameterBlockConstant(block);
+SolverSummary LevenbergMarquardt::DoSolve(const SolverOptions& options,
+                                          EstimationProblem* problem) const {
+  TraceCallback callback(problem, options.truncation, options.kappa, options.progress);
+  const std::vector<int> blind = BlindParameters(problem);
+  if (!blind.empty() && static_cast<int>(blind.size()) < problem->num_unknowns()) {
+    problem->problem()->SetManifold(problem->block(),
+                                    new ceres::SubsetManifold(problem->num_unknowns(), blind));
   }
-  ceres::Solver::Options ceres_options = CeresOptions(options, *problem);
+  ceres::Solver::Options ceres_options = CeresOptions(options);
   ceres_options.callbacks.push_back(&callback);
   ceres::Solver::Summary ceres_summary;
-  ceres::Solve(ceres_options, problem->problem.get(), &ceres_summary);
+  ceres::Solve(ceres_options, problem->problem(), &ceres_summary);
+  problem->problem()->SetManifold(problem->block(), nullptr);
 
-  Interpret(options, ceres_summary, callback, summary);
-  summary->state = problem->state_vector();
-  summary->initial_cost = ceres_summary.initial_cost;
-  summary->final_cost = ceres_summary.final_cost;
-  summary->trace = callback.trace();
-  summary->svd_of_last_step = callback.svd_of_last_step();
+  SolverSummary summary;
+  Interpret(options, ceres_summary, callback, &summary);
+  summary.state = problem->state();
+  summary.initial_cost = ceres_summary.initial_cost;
+  summary.final_cost = ceres_summary.final_cost;
+  summary.trace = callback.trace();
+  summary.svd_of_last_step = callback.svd_of_last_step();
+  return summary;
 }
 
 }  // namespace dhcal

@@ -9,10 +9,7 @@ namespace dhcal {
 /// Undetermined directions hardly move: damping takes the place of truncation.
 class LevenbergMarquardt final : public Solver {
  protected:
-  void DoSolve(const SolverOptions& options,
-               const EstimationProblemFactory& factory,
-               EstimationProblem* problem,
-               SolverSummary* summary) const override;
+  SolverSummary DoSolve(const SolverOptions& options, EstimationProblem* problem) const override;
 };
 
 }  // namespace dhcal

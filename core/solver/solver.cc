@@ -60,22 +60,11 @@ bool SolverOptions::IsValid(std::string* error) const {
                  "0 <= relative < 1");
 }
 
-std::string SolverSummary::BriefReport() const {
-  return fmt::format("{} after {} iterations, cost {:.6g} -> {:.6g}",
-                     ToString(termination),
-                     trace.size(),
-                     initial_cost,
-                     final_cost);
-}
-
-SolverSummary Solver::Solve(const SolverOptions& options,
-                            const EstimationProblemFactory& factory) const {
+SolverSummary Solver::Solve(const SolverOptions& options, EstimationProblem* problem) const {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   const auto begin = std::chrono::steady_clock::now();
-  SolverSummary summary;
-  const std::unique_ptr<EstimationProblem> problem = factory();
-  DoSolve(options, factory, problem.get(), &summary);
+  SolverSummary summary = DoSolve(options, problem);
   CheckForDivergence(problem->scales, &summary);
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return summary;

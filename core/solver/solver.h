@@ -52,8 +52,6 @@ struct SolverSummary {
   bool Converged() const {
     return IsSolutionUsable() && termination != Termination::kIterationLimit;
   }
-  /// One line: how it ended, iterations, cost from and to.
-  std::string BriefReport() const;
 };
 
 /// Non-virtual Solve() checks and times; an algorithm supplies DoSolve().
@@ -61,16 +59,12 @@ class Solver {
  public:
   virtual ~Solver() = default;
 
-  /// Solves from the state that the factory's problems have. A summary that ended in good order
-  /// but ran away (a correction beyond its limit, a higher cost) is marked as diverged.
-  SolverSummary Solve(const SolverOptions& options, const EstimationProblemFactory& factory) const;
+  /// Solves from the problem's state and leaves it at the solution. A summary that ended in good
+  /// order but ran away (a correction beyond its limit, a higher cost) is marked as diverged.
+  SolverSummary Solve(const SolverOptions& options, EstimationProblem* problem) const;
 
  protected:
-  /// Solves `problem`, which `factory` has just made.
-  virtual void DoSolve(const SolverOptions& options,
-                       const EstimationProblemFactory& factory,
-                       EstimationProblem* problem,
-                       SolverSummary* summary) const = 0;
+  virtual SolverSummary DoSolve(const SolverOptions& options, EstimationProblem* problem) const = 0;
 };
 
 /// kSvdGaussNewton or kLevenbergMarquardt.

@@ -22,15 +22,16 @@ namespace dhcal {
 /// so the step on which kappa holds is still applied, as in the paper's Table III.
 class TraceCallback : public ceres::IterationCallback {
  public:
-  /// `probe` is linearised at `live_state`, which the solver updates; it may be the solver's own
-  /// problem only if that is not inside ceres::Solve.
-  TraceCallback(EstimationProblem* probe,
-                const std::vector<double>* live_state,
+  /// `problem` must outlive the callback; its state is what a solver has accepted last.
+  TraceCallback(EstimationProblem* problem,
                 Truncation truncation,
                 double kappa,
                 std::function<void(const IterationRecord&)> progress);
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override;
+
+  /// Notes that no step was taken from here, so that a trace has at least one record.
+  void NoteNoStep();
 
   const std::vector<IterationRecord>& trace() const { return trace_; }
   bool kappa_holds() const { return kappa_holds_; }
@@ -48,8 +49,7 @@ class TraceCallback : public ceres::IterationCallback {
   bool LinearizeHere();
   void CompleteRecord(const ceres::IterationSummary& summary);
 
-  EstimationProblem* probe_;
-  const std::vector<double>* live_state_;
+  EstimationProblem* problem_;
   Truncation truncation_;
   double kappa_;
   std::function<void(const IterationRecord&)> progress_;

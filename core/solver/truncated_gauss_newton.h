@@ -6,14 +6,14 @@
 
 namespace dhcal {
 
-/// Works on the linearisation that Ceres evaluates. No step control: with a truncation that does
-/// not know the noise it runs away, and the summary then says so.
+/// Under the rules that know tolerances (noise, relative) ceres::Solve takes each step, in the
+/// subspace that the truncation keeps at the state (core/solver/truncated_subspace.h): with next to
+/// no damping, so that it is the truncated Gauss-Newton step, and with more where that step would
+/// raise the cost. The paper's rule takes the paper's step without any control: with a truncation
+/// that does not know the noise it runs away, and the summary then says so.
 class TruncatedGaussNewton final : public Solver {
  protected:
-  void DoSolve(const SolverOptions& options,
-               const EstimationProblemFactory& factory,
-               EstimationProblem* problem,
-               SolverSummary* summary) const override;
+  SolverSummary DoSolve(const SolverOptions& options, EstimationProblem* problem) const override;
 };
 
 }  // namespace dhcal

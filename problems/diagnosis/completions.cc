@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <set>
 
 #include "core/physics/registry.h"
@@ -61,7 +63,7 @@ Finding DescribeCompletion(const Completion& completion,
                            const Calibration& c,
                            const Fit& fit,
                            double p_value) {
-  const FitAnalysis analysis = Analyse(c, fit);
+  const std::optional<FitAnalysis> analysis = Analyse(c, fit);
   const RobotModel& nominal = c.spec.robot;
   const RobotModel calibrated = CalibratedRobot(c, fit.summary.state);
   const Frames frames_nominal(nominal, c.recording), frames(calibrated, c.recording);
@@ -91,7 +93,8 @@ Finding DescribeCompletion(const Completion& completion,
     FoundParameter found;
     found.name = ParameterName(completion.request, column->parameter);
     found.value = Correction(nominal, frames_nominal, calibrated, frames, *own);
-    found.sigma = std::sqrt(analysis.identifiability.covariance(row, row));
+    found.sigma = analysis ? std::sqrt(analysis->identifiability.covariance(row, row))
+                           : std::numeric_limits<double>::infinity();
     found.ci95_low = found.value - 1.96 * found.sigma;
     found.ci95_high = found.value + 1.96 * found.sigma;
     found.unit = column->unit;

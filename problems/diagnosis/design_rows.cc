@@ -5,15 +5,11 @@
 
 #include <glog/logging.h>
 
-#include "core/math/rotation.h"
-#include "problems/prediction.h"
-
 namespace dhcal {
 namespace {
 
 bool IsShared(const Calibration& c) {
-  return c.spec.measurement.kind == MeasurementKind::kAdjacentPosition &&
-         c.spec.measurement.noise == NoiseKind::kSharedPose;
+  return c.measurement->kind().pairs && c.spec.measurement.noise == NoiseKind::kSharedPose;
 }
 
 PoseWithDerivatives PoseAt(const Calibration& c, const Eigen::VectorXd& state, int row) {
@@ -25,31 +21,45 @@ PoseWithDerivatives PoseAt(const Calibration& c, const Eigen::VectorXd& state, i
   return pose;
 }
 
+/// Whitened derivative of a reading by all slots of a pose, from that by the pose's twist.
+Eigen::MatrixXd BySlots(const ReadingComparison::TwistRows& by_twist,
+                        const PoseWithDerivatives& pose,
+                        const Eigen::VectorXd& inverse_sigma) {
+  return inverse_sigma.asDiagonal() *
+         (by_twist.leftCols<3>() * pose.J_p + by_twist.rightCols<3>() * pose.J_w);
+}
+
+/// One over the standard deviation of each coordinate of a row's reading.
+Eigen::VectorXd InverseSigmas(const Calibration& c, const Noise& noise, int row) {
+  const std::vector<MeasuredCoordinate>& coordinates = c.measurement->kind().coordinates;
+  Eigen::VectorXd inverse(static_cast<Eigen::Index>(coordinates.size()));
+  for (std::size_t k = 0; k < coordinates.size(); ++k) {
+    const bool length = coordinates[k].unit == Unit::kMetre;
+    inverse[static_cast<Eigen::Index>(k)] =
+        1 / (length ? c.RowSigma(row, noise) : noise.sigma_rotation);
+  }
+  return inverse;
+}
+
 }  // namespace
 
 DesignRows::DesignRows(const Calibration& c,
                        const Eigen::VectorXd& state,
                        const Noise& noise,
                        const std::vector<Reading>& readings)
-    : c_(c), coordinates_(NumCoordinates(c.spec.measurement.kind)) {
+    : c_(c), coordinates_(c.measurement->kind().num_coordinates()) {
   // A series has one row more than it has differences; at most each difference is a series.
   const auto most =
       static_cast<Eigen::Index>(readings.size()) * coordinates_ * (IsShared(c) ? 2 : 1);
   y_.resize(most);
   now_.resize(most, c.chain.slots().size());
-  if (c.spec.measurement.kind == MeasurementKind::kAdjacentPosition && !IsShared(c)) {
+  if (c.measurement->kind().pairs && !IsShared(c)) {
     before_.resize(most, c.chain.slots().size());
   }
   if (IsShared(c)) {
     AddSeries(state, readings, noise);
   } else {
-    for (const Reading& reading : readings) {
-      if (reading.previous_idx >= 0) {
-        AddPair(state, reading, noise);
-      } else {
-        AddPose(state, reading, noise);
-      }
-    }
+    for (const Reading& reading : readings) AddReading(state, reading, noise);
   }
   y_.conservativeResize(filled_);
   TakeOutOffsets(&y_);
@@ -72,52 +82,31 @@ void DesignRows::Append(const Eigen::VectorXd& y,
   filled_ += static_cast<int>(y.size());
 }
 
-void DesignRows::AddPose(const Eigen::VectorXd& state, const Reading& reading, const Noise& noise) {
-  const int row = reading.row_idx;
-  const PoseWithDerivatives pose = PoseAt(c_, state, row);
-  const Comparison comparison = Compare(c_, state, reading);
-  const double sigma = c_.RowSigma(row, noise);
-  Eigen::VectorXd y = comparison.residual;
-  Eigen::MatrixXd J(coordinates_, pose.J_p.cols());
-  switch (c_.spec.measurement.kind) {
-    case MeasurementKind::kDistance: {
-      const Eigen::Vector3d p_AQ = pose.p_WQ - c_.Anchor(row);
-      J = p_AQ.normalized().transpose() * pose.J_p;
-      break;
-    }
-    case MeasurementKind::kPose: {
-      // Log(R_measured R') grows by -J_r^-1 w when R turns by w; near zero that is -w, and the
-      // reading is R itself, which grows by w.
-      J.topRows<3>() = pose.J_p;
-      J.bottomRows<3>() = LeftJacobianInverseSO3(-y.tail<3>()) * pose.J_w;
-      J.bottomRows<3>() /= noise.sigma_rotation;
-      y.tail<3>() /= noise.sigma_rotation;
-      J.topRows<3>() /= sigma;
-      y.head<3>() /= sigma;
-      return Append(y, J, row, nullptr, -1);
-    }
-    case MeasurementKind::kPosition:
-    case MeasurementKind::kAdjacentPosition:
-      J = pose.J_p;
-      break;
-  }
-  Append(y / sigma, J / sigma, row, nullptr, -1);
-}
-
-void DesignRows::AddPair(const Eigen::VectorXd& state, const Reading& reading, const Noise& noise) {
-  const double sigma = c_.RowSigma(reading.row_idx, noise);
+void DesignRows::AddReading(const Eigen::VectorXd& state,
+                            const Reading& reading,
+                            const Noise& noise) {
+  const bool pair = reading.previous_idx >= 0;
   const PoseWithDerivatives now = PoseAt(c_, state, reading.row_idx);
-  const PoseWithDerivatives before = PoseAt(c_, state, reading.previous_idx);
-  const Eigen::VectorXd y = Compare(c_, state, reading).residual / sigma;
-  const Eigen::MatrixXd J_now = now.J_p / sigma, J_before = before.J_p / sigma;
-  Append(y, J_now, reading.row_idx, &J_before, reading.previous_idx);
+  const PoseWithDerivatives before =
+      PoseAt(c_, state, pair ? reading.previous_idx : reading.row_idx);
+  const SeenPose seen{now.p_WQ, now.R_WQ}, seen_before{before.p_WQ, before.R_WQ};
+  ReadingComparison comparison(coordinates_);
+  // Where it has no derivative (a wire of no length) the row stays zero and tells nothing.
+  c_.measurement->Compare(reading, seen, pair ? &seen_before : nullptr, &comparison);
+  const Eigen::VectorXd inverse_sigma = InverseSigmas(c_, noise, reading.row_idx);
+  const Eigen::VectorXd y = -inverse_sigma.cwiseProduct(comparison.difference);
+  const Eigen::MatrixXd J_now = BySlots(comparison.by_now, now, inverse_sigma);
+  if (before_.rows() == 0) return Append(y, J_now, reading.row_idx, nullptr, -1);
+  // The reading grows with the pose before by minus this.
+  const Eigen::MatrixXd J_before = -BySlots(comparison.by_before, before, inverse_sigma);
+  Append(y, J_now, reading.row_idx, &J_before, pair ? reading.previous_idx : reading.row_idx);
 }
 
 void DesignRows::AddSeries(const Eigen::VectorXd& state,
                            const std::vector<Reading>& readings,
                            const Noise& noise) {
   struct Last {
-    int series = 0;
+    int series = -1;                              // none: anchored, without an offset
     Eigen::Vector3d y = Eigen::Vector3d::Zero();  // [m] up to the series' offset
   };
   std::map<int, Last> of_row;
@@ -127,13 +116,21 @@ void DesignRows::AddSeries(const Eigen::VectorXd& state,
     const double sigma = c_.RowSigma(row, noise);
     const PoseWithDerivatives pose = PoseAt(c_, state, row);
     const Eigen::VectorXd y = (last.y - pose.p_WQ) / sigma;
-    for (int k = 0; k < 3; ++k) offsets.emplace_back(filled_ + k, 3 * last.series + k, 1 / sigma);
-    length2.resize(static_cast<std::size_t>(num_series_));
-    length2[static_cast<std::size_t>(last.series)] += 1 / (sigma * sigma);
+    if (last.series >= 0) {
+      for (int k = 0; k < 3; ++k) offsets.emplace_back(filled_ + k, 3 * last.series + k, 1 / sigma);
+      length2.resize(static_cast<std::size_t>(num_series_));
+      length2[static_cast<std::size_t>(last.series)] += 1 / (sigma * sigma);
+    }
     Append(y, pose.J_p / sigma, row, nullptr, -1);
     of_row[row] = last;
   };
   for (const Reading& reading : readings) {
+    if (reading.previous_idx < 0) {
+      Last anchored;
+      anchored.y = c_.measurement->Point(reading);
+      add(reading.row_idx, anchored);
+      continue;
+    }
     if (of_row.count(reading.previous_idx) == 0) {
       Last first;
       first.series = num_series_++;
@@ -141,7 +138,7 @@ void DesignRows::AddSeries(const Eigen::VectorXd& state,
       add(reading.previous_idx, first);
     }
     Last next = of_row.at(reading.previous_idx);
-    next.y += MeasuredDisplacement(c_.recording, reading);
+    next.y += c_.measurement->Point(reading);
     add(reading.row_idx, next);
   }
   offsets_.resize(filled_, Eigen::Index{3} * num_series_);

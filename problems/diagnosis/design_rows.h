@@ -61,8 +61,7 @@ class DesignRows {
   const std::vector<int>& before_row() const { return before_row_; }
 
  private:
-  void AddPose(const Eigen::VectorXd& state, const Reading& reading, const Noise& noise);
-  void AddPair(const Eigen::VectorXd& state, const Reading& reading, const Noise& noise);
+  void AddReading(const Eigen::VectorXd& state, const Reading& reading, const Noise& noise);
   void AddSeries(const Eigen::VectorXd& state,
                  const std::vector<Reading>& readings,
                  const Noise& noise);

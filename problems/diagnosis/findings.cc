@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -163,10 +164,11 @@ VectorXd Deviations(const CompleteFit& fit) {
   const bool curves = std::any_of(
       columns.begin(), columns.end(), [](const EffectColumn& c) { return c.prior_sigma > 0; });
   if (!curves) {
-    return Analyse(fit.calibration, fit.fit)
-        .identifiability.covariance.diagonal()
-        .cwiseMax(0.0)
-        .cwiseSqrt();
+    const std::optional<FitAnalysis> analysis = Analyse(fit.calibration, fit.fit);
+    if (!analysis) {
+      return VectorXd::Constant(fit.state().size(), std::numeric_limits<double>::infinity());
+    }
+    return analysis->identifiability.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
   }
   // The analysis of a few hundred unknowns by SVD would take longer than the fit.
   const LinearModel model(fit.calibration, fit.state(), fit.fit.noise_seen);

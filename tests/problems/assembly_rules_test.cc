@@ -1,5 +1,5 @@
-// Rules of BuildProblem that belong to one kind of problem: shared readings, losses, priors, rows
-// that are left out.
+// Rules of CalibrationProblem that belong to one kind of problem: shared readings, losses, priors,
+// rows that are left out.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -10,6 +10,7 @@
 
 #include "core/solver/linearization.h"
 #include "problems/assembly.h"
+#include "residuals/registry.h"
 #include "tests/problems/assembly_scenario.h"
 #include "tests/support/matchers.h"
 
@@ -20,21 +21,23 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// [J, r] of the readings at a state.
-MatrixXd Rows(EstimationProblem* problem, const VectorXd& state) {
+MatrixXd Rows(CalibrationProblem* problem, const VectorXd& state) {
   problem->set_state(state);
-  MatrixXd rows;
-  EXPECT_TRUE(ForEachChunk(
-      problem, problem->readings, [&](int /*first*/, const VectorXd& r, const MatrixXd& J) {
-        rows.resize(r.size(), J.cols() + 1);
-        rows << J, r;
-      }));
+  problem->PreparedProbe();
+  const RowCache& cache = problem->cache();
+  EXPECT_TRUE(cache.valid());
+  MatrixXd rows(0, state.size() + 1);
+  for (int block = 0; block < cache.num_blocks(); ++block) {
+    rows.conservativeResize(rows.rows() + cache.block_rows(block), Eigen::NoChange);
+    rows.bottomRows(cache.block_rows(block)) = cache.block(block);
+  }
   return rows;
 }
 
 ScenarioOptions Shared(bool row_sigmas) {
   ScenarioOptions options;
   options.robot = Ur10();
-  options.kind = MeasurementKind::kAdjacentPosition;
+  options.kind = KindNamed("adjacent_position");
   options.num_rows = 30;
   options.two_runs = options.base_per_run = options.targets = true;
   options.shared_pose = true;
@@ -48,8 +51,8 @@ TEST(SharedPoseProblem, IsGeneralisedLeastSquaresOfTheDifferences) {
     const Noise noise{0.3, 1.0};
     const auto scenario = MakeScenario(Shared(row_sigmas));
     const VectorXd state = -0.5 * scenario->truth;
-    const auto shared = BuildProblem(*scenario->calibration, noise);
-    const MatrixXd whitened = Rows(shared.get(), state);
+    CalibrationProblem shared(*scenario->calibration, noise);
+    const MatrixXd whitened = Rows(&shared, state);
 
     // The differences as they are, one coordinate after the other.
     ProblemSpec plain_spec = scenario->spec;
@@ -57,8 +60,8 @@ TEST(SharedPoseProblem, IsGeneralisedLeastSquaresOfTheDifferences) {
     Recording plain_recording = scenario->recording;
     plain_recording.sigma.resize(0);
     const Calibration plain(plain_spec, plain_recording);
-    const auto differences = BuildProblem(plain, Noise{1.0, 1.0});
-    const MatrixXd raw = Rows(differences.get(), state);
+    CalibrationProblem differences(plain, Noise{1.0, 1.0});
+    const MatrixXd raw = Rows(&differences, state);
     ASSERT_EQ(raw.rows(), whitened.rows());
 
     const std::vector<Reading>& pairs = plain.readings.fitted;
@@ -79,6 +82,38 @@ TEST(SharedPoseProblem, IsGeneralisedLeastSquaresOfTheDifferences) {
     // J' Sigma^-1 J, J' Sigma^-1 r and r' Sigma^-1 r at once.
     EXPECT_THAT(whitened.transpose() * whitened,
                 MatrixNear(expected, 1e-10 * expected.lpNorm<Eigen::Infinity>()));
+  }
+}
+
+TEST(SharedPoseProblem, WithAnchoredFirstPosesHasTheRowsOfAbsolutePositions) {
+  for (const bool displacements : {false, true}) {
+    SCOPED_TRACE(testing::Message() << "displacements " << displacements);
+    const Noise noise{0.3, 1.0};
+    ScenarioOptions options = Shared(/*row_sigmas=*/true);
+    options.displacements = displacements;
+    const auto scenario = MakeScenario(options);
+    ProblemSpec spec = scenario->spec;
+    spec.measurement.kind = KindNamed("position");
+    spec.measurement.noise = NoiseKind::kIndependent;
+    Recording positions = scenario->recording;
+    if (displacements) {
+      // First rows alone have a position; the others follow from the displacements.
+      positions.p_WQ = Eigen::MatrixXd::Zero(30, 3);
+      for (const Reading& reading : scenario->calibration->readings.fitted) {
+        positions.p_WQ.row(reading.row_idx) =
+            positions.p_WQ.row(reading.previous_idx) + positions.displacement.row(reading.row_idx);
+      }
+      positions.displacement.resize(0, 0);
+      scenario->recording.p_WQ = positions.p_WQ;
+    }
+    const Calibration absolute(spec, positions);
+    CalibrationProblem plain(absolute, noise);
+    scenario->spec.measurement.anchored = true;
+    const Calibration pairs(scenario->spec, scenario->recording);
+    ASSERT_EQ(pairs.readings.fitted.size(), 30u);
+    CalibrationProblem anchored(pairs, noise);
+    const VectorXd state = -0.5 * scenario->truth;
+    EXPECT_THAT(Rows(&anchored, state), MatrixNear(Rows(&plain, state), 1e-12));
   }
 }
 
@@ -111,8 +146,8 @@ TEST(RobustLoss, ActsOnWholeReadingsAndNotOnPriors) {
     SCOPED_TRACE(static_cast<int>(loss));
     scenario->spec.solver.loss = loss;
     const Calibration calibration(scenario->spec, scenario->recording);
-    const auto without = BuildProblem(calibration, Noise{0.3, 1.0}, /*with_loss=*/false);
-    const VectorXd r = Rows(without.get(), scenario->truth * 0.3).rightCols(1);
+    CalibrationProblem without(calibration, Noise{0.3, 1.0}, /*with_loss=*/false);
+    const VectorXd r = Rows(&without, scenario->truth * 0.3).rightCols(1);
     double expected = 0;
     bool beyond = false, within = false;
     for (Eigen::Index block = 0; block < r.size(); block += 3) {
@@ -121,13 +156,17 @@ TEST(RobustLoss, ActsOnWholeReadingsAndNotOnPriors) {
       expected += 0.5 * Rho(loss, 0.2, square);
     }
     ASSERT_TRUE(beyond && within) << "the loss must bend some blocks and not others";
-    for (std::size_t k = 0; k < 6; ++k) expected += 0.5 * std::pow(without->state[k] / 1e-3, 2);
+    for (Eigen::Index k = 0; k < 6; ++k) expected += 0.5 * std::pow(without.state()[k] / 1e-3, 2);
 
-    const auto with = BuildProblem(calibration, Noise{0.3, 1.0});
-    with->set_state(scenario->truth * 0.3);
+    CalibrationProblem with(calibration, Noise{0.3, 1.0});
+    with.set_state(scenario->truth * 0.3);
     double cost = std::numeric_limits<double>::quiet_NaN();
-    ASSERT_TRUE(with->problem->Evaluate({}, &cost, nullptr, nullptr, nullptr));
+    ASSERT_TRUE(with.problem()->Evaluate({}, &cost, nullptr, nullptr, nullptr));
     EXPECT_NEAR(cost, expected, 1e-12 * expected);
+    // The cost that solvers compare and report is the same.
+    Linearization linearization;
+    ASSERT_TRUE(Linearize(&with, &linearization));
+    EXPECT_NEAR(linearization.cost, expected, 1e-12 * expected);
   }
 }
 
@@ -138,17 +177,14 @@ TEST(Priors, PullCorrectionsToZeroAndSetTheirScale) {
   const auto scenario = MakeScenario(options);
   scenario->spec.parameters.prior_sigma = {{"a", 2e-4}, {"a2", 1e-4}, {"theta3", 1e-3}};
   const Calibration calibration(scenario->spec, scenario->recording);
-  const auto problem = BuildProblem(calibration, Noise{});
-  ASSERT_EQ(problem->priors.size(), 7u);
-  problem->set_state(VectorXd::Constant(12, 1e-3));
-  VectorXd r;
-  MatrixXd J;
-  ASSERT_TRUE(ForEachChunk(problem.get(),
-                           problem->priors,
-                           [&](int /*first*/, const VectorXd& values, const MatrixXd& rows) {
-                             r = values;
-                             J = rows;
-                           }));
+  CalibrationProblem problem(calibration, Noise{});
+  ASSERT_EQ(problem.priors().size(), 1u);
+  problem.set_state(VectorXd::Constant(12, 1e-3));
+  VectorXd r(7);
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> J(7, 12);
+  double* jacobian = J.data();
+  ASSERT_TRUE(problem.PreparedProbe()->EvaluateResidualBlockAssumingParametersUnchanged(
+      problem.priors()[0], true, nullptr, r.data(), &jacobian));
   // theta3, then a1 to a6.
   VectorXd expected(7);
   expected << 1, 5, 10, 5, 5, 5, 5;
@@ -157,32 +193,33 @@ TEST(Priors, PullCorrectionsToZeroAndSetTheirScale) {
   slopes(0, 2) = 1e3;
   for (int k = 0; k < 6; ++k) slopes(1 + k, 6 + k) = k == 1 ? 1e4 : 5e3;
   EXPECT_THAT(J, MatrixNear(slopes, 1e-10));
-  EXPECT_EQ(problem->scales.tolerance[7], 1e-4);
+  EXPECT_EQ(problem.scales.tolerance[7], 1e-4);
 }
 
-TEST(BuildProblem, TakesTargetsByNameWhicheverTheRecordingHasFirst) {
+TEST(CalibrationProblem, TakesTargetsByNameWhicheverTheRecordingHasFirst) {
   ScenarioOptions options;
   options.robot = Kr15();
   options.targets = true;
   options.recorded_targets = {"B", "A"};
   const auto scenario = MakeScenario(options);
-  const auto problem = BuildProblem(*scenario->calibration, Noise{});
-  const VectorXd r = Rows(problem.get(), scenario->truth).rightCols(1);
+  CalibrationProblem problem(*scenario->calibration, Noise{});
+  const VectorXd r = Rows(&problem, scenario->truth).rightCols(1);
   EXPECT_THAT(r, MatrixNear(VectorXd::Zero(36), 1e-13));
 }
 
-TEST(BuildProblem, LeavesOutTestRowsAndBlankRows) {
+TEST(CalibrationProblem, LeavesOutTestRowsAndBlankRows) {
   ScenarioOptions options;
   options.robot = Kr15();
   const auto scenario = MakeScenario(options);
-  const auto all = BuildProblem(*scenario->calibration, Noise{});
+  const VectorXd state = VectorXd::Zero(scenario->truth.size());
+  CalibrationProblem all(*scenario->calibration, Noise{});
+  const MatrixXd before = Rows(&all, state);
   scenario->recording.is_test.assign(12, false);
   scenario->recording.is_test[4] = true;
   scenario->recording.p_WQ(7, 1) = std::numeric_limits<double>::quiet_NaN();
   const Calibration calibration(scenario->spec, scenario->recording);
-  const auto fewer = BuildProblem(calibration, Noise{});
-  const VectorXd state = VectorXd::Zero(scenario->truth.size());
-  const MatrixXd before = Rows(all.get(), state), after = Rows(fewer.get(), state);
+  CalibrationProblem fewer(calibration, Noise{});
+  const MatrixXd after = Rows(&fewer, state);
   ASSERT_EQ(after.rows(), 30);
   EXPECT_THAT(after.topRows(12), MatrixNear(before.topRows(12), 0));
   EXPECT_THAT(after.middleRows(12, 6), MatrixNear(before.middleRows(15, 6), 0));

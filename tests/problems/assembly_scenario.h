@@ -13,6 +13,7 @@
 
 #include "core/base/rng.h"
 #include "problems/calibration.h"
+#include "residuals/registry.h"
 #include "tests/support/independent_kinematics.h"
 #include "tests/support/robots.h"
 
@@ -22,7 +23,7 @@ namespace dhcal {
 struct ScenarioOptions {
   std::string name;
   RobotModel robot;
-  MeasurementKind kind = MeasurementKind::kPosition;
+  MeasurementKind kind = KindNamed("position");
   int num_rows = 12;
   bool two_runs = false;  // rows 0, 1, 2 of each six are of the first
   bool targets = false;   // rows alternate between A and B

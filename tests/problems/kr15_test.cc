@@ -38,7 +38,7 @@ Eigen::VectorXd DeviationAlongDirections(const ProblemSpec& spec, SolverMethod m
   const Recording recording = RecordingOf(spec);
   const Calibration c(spec, recording);
   const Fit fit = RunFit(c, method, OptionsOf(spec.solver), InitialNoise(c), Progress());
-  const FitAnalysis analysis = Analyse(c, fit);
+  const FitAnalysis analysis = Analyse(c, fit).value();
   const Eigen::VectorXd truth = ErrorSlots(spec.robot, *spec.simulate);
   Eigen::VectorXd deviation = fit.summary.state;
   for (std::size_t k = 0; k < c.parameters.size(); ++k) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/identify.h"
+#include "residuals/registry.h"
 #include "tests/support/recorder.h"
 #include "tests/support/robots.h"
 
@@ -83,11 +84,11 @@ INSTANTIATE_TEST_SUITE_P(
     Kinds,
     Recovery,
     ::testing::Values(
-        Kind{"position", MeasurementKind::kPosition, NoiseKind::kIndependent, 150, false},
-        Kind{"pose", MeasurementKind::kPose, NoiseKind::kIndependent, 150, false},
-        Kind{"adjacent", MeasurementKind::kAdjacentPosition, NoiseKind::kIndependent, 150, false},
-        Kind{"shared", MeasurementKind::kAdjacentPosition, NoiseKind::kSharedPose, 150, false},
-        Kind{"distance", MeasurementKind::kDistance, NoiseKind::kIndependent, 600, true}),
+        Kind{"position", KindNamed("position"), NoiseKind::kIndependent, 150, false},
+        Kind{"pose", KindNamed("pose"), NoiseKind::kIndependent, 150, false},
+        Kind{"adjacent", KindNamed("adjacent_position"), NoiseKind::kIndependent, 150, false},
+        Kind{"shared", KindNamed("adjacent_position"), NoiseKind::kSharedPose, 150, false},
+        Kind{"distance", KindNamed("distance"), NoiseKind::kIndependent, 600, true}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Identify, GeometricRankIsTheKnownNumber) {
@@ -95,9 +96,8 @@ TEST(Identify, GeometricRankIsTheKnownNumber) {
   const struct {
     MeasurementKind kind;
     int rank;
-  } cases[] = {{MeasurementKind::kPosition, 27},
-               {MeasurementKind::kAdjacentPosition, 24},
-               {MeasurementKind::kPose, 30}};
+  } cases[] = {
+      {KindNamed("position"), 27}, {KindNamed("adjacent_position"), 24}, {KindNamed("pose"), 30}};
   for (const auto& expected : cases) {
     for (const RobotModel& nominal : {Kr15(), Ur10(), Kr15Modified()}) {
       const TrueRobot truth = MakeTrueRobot(nominal, 8);

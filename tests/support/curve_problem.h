@@ -12,19 +12,17 @@
 namespace dhcal {
 
 /// r = a + b x + c x^2 + curvature a^2 - y, whitened by sigma: three unknowns a, b, c.
-class CurveResidual : public ceres::SizedCostFunction<1, 1, 1, 1> {
+class CurveResidual : public ceres::SizedCostFunction<1, 3> {
  public:
   CurveResidual(double x, double y, double sigma, double curvature)
       : x_(x), y_(y), sigma_(sigma), curvature_(curvature) {}
 
   bool Evaluate(double const* const* p, double* residual, double** jacobians) const override {
     const double a = p[0][0];
-    residual[0] = (a + p[1][0] * x_ + p[2][0] * x_ * x_ + curvature_ * a * a - y_) / sigma_;
-    if (jacobians == nullptr) return true;
+    residual[0] = (a + p[0][1] * x_ + p[0][2] * x_ * x_ + curvature_ * a * a - y_) / sigma_;
+    if (jacobians == nullptr || jacobians[0] == nullptr) return true;
     const double derivatives[] = {1 + 2 * curvature_ * a, x_, x_ * x_};
-    for (int k = 0; k < 3; ++k) {
-      if (jacobians[k] != nullptr) jacobians[k][0] = derivatives[k] / sigma_;
-    }
+    for (int k = 0; k < 3; ++k) jacobians[0][k] = derivatives[k] / sigma_;
     return true;
   }
 
@@ -42,18 +40,16 @@ struct CurveCase {
 };
 
 inline std::unique_ptr<EstimationProblem> MakeCurveProblem(const CurveCase& curve) {
-  auto problem = std::make_unique<EstimationProblem>();
-  problem->state.assign(3, 0.0);
+  auto problem = std::make_unique<EstimationProblem>(3);
   problem->scales = {Eigen::VectorXd::Ones(3), Eigen::VectorXd::Constant(3, curve.limit)};
   problem->kappa_unit = curve.sigma;
-  problem->problem = std::make_unique<ceres::Problem>();
   double sign = 1;
   for (const double x : curve.x) {
     const double y = curve.a + curve.b * x + curve.c * x * x + curve.curvature * curve.a * curve.a +
                      sign * curve.noise_step;
     sign = -sign;
-    problem->readings.push_back(problem->problem->AddResidualBlock(
-        new CurveResidual(x, y, curve.sigma, curve.curvature), nullptr, problem->blocks()));
+    problem->AddReading(std::make_unique<CurveResidual>(x, y, curve.sigma, curve.curvature),
+                        nullptr);
   }
   return problem;
 }

@@ -1,6 +1,7 @@
 #include "tests/support/noise_study.h"
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "core/base/rng.h"
@@ -93,7 +94,12 @@ NoiseStudy RunNoiseStudy(ProblemSpec spec, int draws) {
     }
     errors.push_back(PredictionError(c, fit.summary.state, in_ranges));
     errors_full_turns.push_back(PredictionError(c, fit.summary.state, full_turns));
-    const FitAnalysis analysis = Analyse(c, fit);
+    const std::optional<FitAnalysis> analysed = Analyse(c, fit);
+    if (!analysed) {
+      ++study.num_failed;
+      continue;
+    }
+    const FitAnalysis& analysis = *analysed;
     const double quantile = StudentTwoSided(0.95, analysis.degrees_of_freedom);
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
       if (analysis.identifiability.parameters[k].verdict != Verdict::kIdentified) continue;

@@ -4,9 +4,9 @@
 
 #include <glog/logging.h>
 
-#include "core/io/problem_reader.h"
-#include "core/io/recording_reader.h"
 #include "problems/diagnosis/diagnose.h"
+#include "problems/formats/problem/problem_reader.h"
+#include "problems/formats/recording/recording_reader.h"
 #include "problems/identify.h"
 #include "problems/simulate.h"
 #include "tests/support/files.h"

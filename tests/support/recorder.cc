@@ -6,6 +6,7 @@
 #include "core/kinematics/slots.h"
 #include "core/math/rotation.h"
 #include "problems/parameter_set.h"
+#include "residuals/registry.h"
 #include "tests/support/independent_kinematics.h"
 #include "tests/support/robots.h"
 
@@ -23,7 +24,7 @@ Eigen::Vector3d PointOf(const Eigen::Matrix4d& X) { return X.block<3, 1>(0, 3); 
 Eigen::VectorXd WhatIsRead(const ProblemSpec& spec,
                            const Eigen::Matrix4d& before,
                            const Eigen::Matrix4d& now) {
-  if (spec.measurement.kind == MeasurementKind::kDistance) {
+  if (spec.measurement.kind.name == "distance") {
     Eigen::VectorXd distances(static_cast<Eigen::Index>(spec.measurement.anchors.size()));
     for (Eigen::Index k = 0; k < distances.size(); ++k) {
       const Anchor& anchor = spec.measurement.anchors[static_cast<std::size_t>(k)];
@@ -31,7 +32,7 @@ Eigen::VectorXd WhatIsRead(const ProblemSpec& spec,
     }
     return distances;
   }
-  if (spec.measurement.kind == MeasurementKind::kAdjacentPosition) {
+  if (spec.measurement.kind.name == "adjacent_position") {
     return PointOf(now) - PointOf(before);
   }
   return PointOf(now);
@@ -65,7 +66,7 @@ TrueRobot MakeTrueRobot(const RobotModel& nominal, std::uint64_t seed) {
   return robot;
 }
 
-ProblemSpec MakeSpec(const RobotModel& nominal, MeasurementKind kind, NoiseKind noise) {
+ProblemSpec MakeSpec(const RobotModel& nominal, const MeasurementKind& kind, NoiseKind noise) {
   ProblemSpec spec;
   spec.file = "made.yaml";
   spec.name = "made";
@@ -73,7 +74,7 @@ ProblemSpec MakeSpec(const RobotModel& nominal, MeasurementKind kind, NoiseKind 
   spec.measurement.kind = kind;
   spec.measurement.noise = noise;
   spec.parameters.estimate = {"complete"};
-  if (kind == MeasurementKind::kDistance) {
+  if (kind.name == "distance") {
     spec.measurement.anchors = {{"A", {1.5, 0.2, 0.1}},
                                 {"B", {-0.3, 2, 0.4}},
                                 {"C", {-1, -1, 1.5}},
@@ -88,9 +89,9 @@ Recording Record(const TrueRobot& robot, const ProblemSpec& spec, const Recordin
   recording.file = "made.csv";
   const MeasurementKind kind = spec.measurement.kind;
   recording.q.resize(plan.poses, robot.nominal.num_joints());
-  const bool displacements = kind == MeasurementKind::kAdjacentPosition &&
-                             spec.measurement.noise == NoiseKind::kIndependent;
-  if (kind == MeasurementKind::kDistance) {
+  const bool displacements =
+      kind.name == "adjacent_position" && spec.measurement.noise == NoiseKind::kIndependent;
+  if (kind.name == "distance") {
     recording.distance.resize(plan.poses);
     for (const Anchor& anchor : spec.measurement.anchors) {
       recording.anchor_names.push_back(anchor.name);
@@ -99,14 +100,14 @@ Recording Record(const TrueRobot& robot, const ProblemSpec& spec, const Recordin
     recording.displacement.setConstant(plan.poses, 3, std::numeric_limits<double>::quiet_NaN());
   } else {
     recording.p_WQ.resize(plan.poses, 3);
-    if (kind == MeasurementKind::kPose) recording.quaternion.resize(plan.poses, 4);
+    if (kind.name == "pose") recording.quaternion.resize(plan.poses, 4);
   }
   Eigen::Matrix4d before;
   for (int k = 0; k < plan.poses; ++k) {
     const Eigen::VectorXd q = RandomJoints(robot.nominal, &rng);
     recording.q.row(k) = q;
     const Eigen::Matrix4d X = robot.Pose(q);
-    if (kind == MeasurementKind::kDistance) {
+    if (kind.name == "distance") {
       const int anchor = k % static_cast<int>(spec.measurement.anchors.size());
       recording.anchor_idx.push_back(anchor);
       recording.distance[k] = WhatIsRead(spec, X, X)[anchor] + plan.sigma * rng.Normal();
@@ -118,7 +119,7 @@ Recording Record(const TrueRobot& robot, const ProblemSpec& spec, const Recordin
     } else {
       recording.p_WQ.row(k) = PointOf(X) + NormalVector(plan.sigma, &rng);
     }
-    if (kind == MeasurementKind::kPose) {
+    if (kind.name == "pose") {
       const Eigen::Vector3d turn = NormalVector(plan.sigma_rotation, &rng);
       const Eigen::Matrix3d R = ExpSO3<double>(turn) * X.topLeftCorner<3, 3>();
       const Eigen::Quaterniond rotation(R);

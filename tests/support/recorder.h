@@ -26,7 +26,7 @@ struct TrueRobot {
 TrueRobot MakeTrueRobot(const RobotModel& nominal, std::uint64_t seed);
 
 /// A problem that estimates the complete geometry from readings of this kind.
-ProblemSpec MakeSpec(const RobotModel& nominal, MeasurementKind kind, NoiseKind noise);
+ProblemSpec MakeSpec(const RobotModel& nominal, const MeasurementKind& kind, NoiseKind noise);
 
 struct RecordingPlan {
   int poses = 150;

@@ -8,6 +8,7 @@
 #include "core/base/units.h"
 #include "core/kinematics/dh_chain.h"
 #include "core/physics/registry.h"
+#include "residuals/registry.h"
 
 namespace dhcal {
 namespace {
@@ -128,7 +129,7 @@ void AddNulls(std::vector<Scenario>* all) {
   ur10.poses = 200;
   add(ur10, "UR10, wide, 200 poses, sigma unknown");
   Scenario differences = plain;
-  differences.kind = MeasurementKind::kAdjacentPosition;
+  differences.kind = "adjacent_position";
   add(differences, "KR 15, differences read afresh");
   differences.noise = NoiseKind::kSharedPose;
   add(differences, "KR 15, differences of shared readings");
@@ -283,7 +284,7 @@ Draw MakeDraw(const Scenario& s, std::uint64_t seed) {
       recording.p_WQ(row, k) = X_WQ.translation()[k] + size * rng.Normal();
     }
   }
-  if (s.kind == MeasurementKind::kAdjacentPosition && s.noise == NoiseKind::kIndependent) {
+  if (KindNamed(s.kind).pairs && s.noise == NoiseKind::kIndependent) {
     // Differences read afresh: each with its own error.
     Eigen::MatrixXd displacement = Eigen::MatrixXd::Constant(s.poses, 3, std::nan(""));
     for (int row = 1; row < s.poses; ++row) {
@@ -312,7 +313,7 @@ Draw MakeDraw(const Scenario& s, std::uint64_t seed) {
   spec.name = s.name;
   spec.robot = robot;
   if (s.wrong_masses) SpoilMasses(&rng, &spec.robot);
-  spec.measurement.kind = s.kind;
+  spec.measurement.kind = KindNamed(s.kind);
   spec.measurement.noise = s.noise;
   if (s.sigma_known) spec.measurement.sigma = s.sigma;
   spec.parameters.estimate = {"complete"};

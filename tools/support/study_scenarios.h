@@ -24,7 +24,7 @@ struct Scenario {
   bool narrow = false;
   bool planar = false;  // joints 1, 4 and 6 stand still: all positions lie in one plane
   int runs = 1;         // of equal length; differences do not cross them
-  MeasurementKind kind = MeasurementKind::kPosition;
+  std::string kind = "position";
   NoiseKind noise = NoiseKind::kIndependent;
   int poses = 100;
   double sigma = 0.03e-3;  // [m]

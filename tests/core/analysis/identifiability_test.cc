@@ -15,7 +15,7 @@ Linearization FromRows(const Eigen::MatrixXd& J) {
   rows << J, Eigen::VectorXd::Zero(J.rows());
   Tsqr tsqr(static_cast<int>(rows.cols()));
   tsqr.Add(rows);
-  return FromTriangle(tsqr.R(), static_cast<int>(J.rows()));
+  return FromTriangle(tsqr.R());
 }
 
 Eigen::MatrixXd RandomRows(int rows, int cols, std::uint64_t seed) {

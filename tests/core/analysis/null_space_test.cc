@@ -5,6 +5,7 @@
 
 #include "core/base/units.h"
 #include "core/kinematics/slots.h"
+#include "residuals/registry.h"
 
 namespace dhcal {
 namespace {
@@ -59,7 +60,7 @@ TEST(SparseBasis, SeparatesMixedDirections) {
 
 class Explained : public ::testing::Test {
  protected:
-  std::string Of(const Eigen::MatrixXd& dropped, MeasurementKind kind) const {
+  std::string Of(const Eigen::MatrixXd& dropped, const MeasurementKind& kind) const {
     return ExplainNullSpace(WithDropped(dropped), parameters_, robot_, kind)[0].explanation;
   }
 
@@ -74,7 +75,7 @@ TEST_F(Explained, OffsetsAlongParallelAxesAreOneSum) {
   }
   Eigen::MatrixXd dropped(3, 2);
   dropped << 1, 1, -1, 1, 0, -2;
-  EXPECT_EQ(Of(dropped, MeasurementKind::kPosition),
+  EXPECT_EQ(Of(dropped, KindNamed("position")),
             "only d1 + d2 + d3 is determined: axes 1, 2 and 3 are parallel");
 }
 
@@ -82,33 +83,33 @@ TEST_F(Explained, OppositeAxesGiveADifference) {
   robot_ = ThreeJoints(180 * kDegree, 90 * kDegree);
   parameters_ = {Named(robot_, slots_.joint(0, JointSlot::kD), ParameterGroup::kD),
                  Named(robot_, slots_.joint(1, JointSlot::kD), ParameterGroup::kD)};
-  EXPECT_EQ(Of(Eigen::Vector2d(1, 1), MeasurementKind::kPosition),
+  EXPECT_EQ(Of(Eigen::Vector2d(1, 1), KindNamed("position")),
             "only d1 - d2 is determined: axes 1 and 2 are parallel");
 }
 
 TEST_F(Explained, LastAxisThroughTheMeasuredPoint) {
   parameters_ = {Named(robot_, slots_.joint(2, JointSlot::kTheta), ParameterGroup::kTheta)};
-  EXPECT_THAT(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kPosition),
+  EXPECT_THAT(Of(Eigen::VectorXd::Ones(1), KindNamed("position")),
               HasSubstr("theta3 turns about an axis through the measured point"));
 }
 
 TEST_F(Explained, CombinationOfLengthAndAngleCarriesItsLever) {
   parameters_ = {Named(robot_, slots_.joint(1, JointSlot::kTheta), ParameterGroup::kTheta),
                  Named(robot_, slots_.joint(1, JointSlot::kA), ParameterGroup::kA)};
-  EXPECT_EQ(Of(Eigen::Vector2d(1, -0.34), MeasurementKind::kPosition),
+  EXPECT_EQ(Of(Eigen::Vector2d(1, -0.34), KindNamed("position")),
             "only theta2 + 2.94 rad/m a2 is determined");
 }
 
 TEST_F(Explained, BaseAndFirstRowNameTheirReason) {
   parameters_ = {Named(robot_, slots_.joint(0, JointSlot::kD), ParameterGroup::kD),
                  Named(robot_, slots_.base(2), ParameterGroup::kBase)};
-  EXPECT_EQ(Of(Eigen::Vector2d(1, -1), MeasurementKind::kPosition),
+  EXPECT_EQ(Of(Eigen::Vector2d(1, -1), KindNamed("position")),
             "only d1 + base_z is determined: the base frame and the first DH row act alike");
 }
 
 TEST_F(Explained, WhatLiftsAllReadingsIsHiddenFromDifferences) {
   parameters_ = {Named(robot_, slots_.joint(0, JointSlot::kD), ParameterGroup::kD)};
-  EXPECT_THAT(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kAdjacentPosition),
+  EXPECT_THAT(Of(Eigen::VectorXd::Ones(1), KindNamed("adjacent_position")),
               HasSubstr("shifts all measured points alike"));
 }
 
@@ -118,25 +119,25 @@ TEST_F(Explained, WhatAPriorHidesIsNotBlamedOnGeometry) {
   robot_.X_TQ.translation() = Eigen::Vector3d(0, 0, 0.1);
   parameters_ = {Named(robot_, slots_.joint(0, JointSlot::kTheta), ParameterGroup::kTheta)};
   parameters_[0].prior_sigma = 1e-9;
-  EXPECT_EQ(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kPosition),
+  EXPECT_EQ(Of(Eigen::VectorXd::Ones(1), KindNamed("position")),
             "the readings say less about theta1 than its prior does");
   parameters_[0].prior_sigma.reset();
-  EXPECT_EQ(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kPosition),
+  EXPECT_EQ(Of(Eigen::VectorXd::Ones(1), KindNamed("position")),
             "the readings say less about theta1 than its tolerance does");
 }
 
 TEST_F(Explained, ALengthAlwaysMovesTheMeasuredPoint) {
   parameters_ = {Named(robot_, slots_.joint(1, JointSlot::kA), ParameterGroup::kA)};
-  EXPECT_EQ(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kPosition),
+  EXPECT_EQ(Of(Eigen::VectorXd::Ones(1), KindNamed("position")),
             "the readings say less about a2 than its tolerance does");
-  EXPECT_THAT(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kAdjacentPosition),
+  EXPECT_THAT(Of(Eigen::VectorXd::Ones(1), KindNamed("adjacent_position")),
               HasSubstr("less about a2"))
       << "it turns with joint 1: differences show it";
 }
 
 TEST_F(Explained, AMeasuredOrientationShowsEveryTurn) {
   parameters_ = {Named(robot_, slots_.joint(2, JointSlot::kTheta), ParameterGroup::kTheta)};
-  EXPECT_EQ(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kPose),
+  EXPECT_EQ(Of(Eigen::VectorXd::Ones(1), KindNamed("pose")),
             "the readings say less about theta3 than its tolerance does");
 }
 
@@ -144,10 +145,10 @@ TEST_F(Explained, AnAxisBesideOneOfTheTargetsIsNotThroughTheMeasuredPoint) {
   robot_.joints[0].a = 0.5;
   robot_.targets.resize(2);
   parameters_ = {Named(robot_, slots_.joint(2, JointSlot::kTheta), ParameterGroup::kTheta)};
-  EXPECT_THAT(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kPosition),
+  EXPECT_THAT(Of(Eigen::VectorXd::Ones(1), KindNamed("position")),
               HasSubstr("through the measured point"));
   robot_.targets[1].X_TQ.translation() = Eigen::Vector3d(0.1, 0, 0);
-  EXPECT_THAT(Of(Eigen::VectorXd::Ones(1), MeasurementKind::kPosition),
+  EXPECT_THAT(Of(Eigen::VectorXd::Ones(1), KindNamed("position")),
               HasSubstr("the readings say less about theta3"));
 }
 

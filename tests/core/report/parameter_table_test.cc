@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/report/sections.h"
-#include "tests/core/io/example_result.h"
+#include "tests/support/example_result.h"
 
 namespace dhcal {
 namespace {

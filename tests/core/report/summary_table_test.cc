@@ -6,7 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/report/text_report.h"
-#include "tests/core/io/example_result.h"
+#include "tests/support/example_result.h"
 
 namespace dhcal {
 namespace {

@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "core/base/text.h"
-#include "tests/core/io/comma_locale.h"
-#include "tests/core/io/example_result.h"
-#include "tests/core/io/temp_folder.h"
+#include "tests/support/comma_locale.h"
+#include "tests/support/example_result.h"
+#include "tests/support/temp_folder.h"
 
 namespace dhcal {
 namespace {

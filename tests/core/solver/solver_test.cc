@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 class EverySolver : public ::testing::TestWithParam<SolverMethod> {
  protected:
   SolverSummary Solve(const CurveCase& curve, const SolverOptions& options) const {
-    return MakeSolver(GetParam())->Solve(options, [&] { return MakeCurveProblem(curve); });
+    return MakeSolver(GetParam())->Solve(options, MakeCurveProblem(curve).get());
   }
 };
 
@@ -128,13 +128,52 @@ TEST(TruncatedGaussNewton, KeepsWhatTheRuleKeeps) {
   curve.sigma = 0.5;
   SolverOptions options;
   options.kappa = 0;
-  const auto factory = [&] { return MakeCurveProblem(curve); };
   const auto solver = MakeSolver(SolverMethod::kSvdGaussNewton);
-  EXPECT_EQ(solver->Solve(options, factory).trace.back().rank, 1);
+  const auto solve = [&] { return solver->Solve(options, MakeCurveProblem(curve).get()); };
+  EXPECT_EQ(solve().trace.back().rank, 1);
   options.truncation = {TruncationRule::kRelative, 1e-6};
-  EXPECT_EQ(solver->Solve(options, factory).trace.back().rank, 3);
+  EXPECT_EQ(solve().trace.back().rank, 3);
   options.truncation = {TruncationRule::kPaper, 0};
-  EXPECT_EQ(solver->Solve(options, factory).trace.back().rank, 3);
+  EXPECT_EQ(solve().trace.back().rank, 3);
+}
+
+TEST(TruncatedGaussNewton, TakesAShorterStepWhereTheWholeOneWouldRaiseTheCost) {
+  // r = a + 400 a^2 - y with its solution near a = 0.1: the step from zero is far too long.
+  CurveCase curve;
+  curve.curvature = 400;
+  curve.sigma = 1;
+  curve.limit = 1e6;
+  SolverOptions options;
+  options.kappa = 0;
+  options.truncation = {TruncationRule::kRelative, 1e-12};
+  const SolverSummary damped =
+      MakeSolver(SolverMethod::kSvdGaussNewton)->Solve(options, MakeCurveProblem(curve).get());
+  ASSERT_TRUE(damped.Converged()) << damped.message;
+  double cost = damped.initial_cost;
+  for (const IterationRecord& record : damped.trace) {
+    EXPECT_LE(record.cost, cost);
+    cost = record.cost;
+  }
+  EXPECT_LT(damped.final_cost, 1e-6 * damped.initial_cost);
+  options.truncation = {TruncationRule::kPaper, 0};
+  const SolverSummary plain =
+      MakeSolver(SolverMethod::kSvdGaussNewton)->Solve(options, MakeCurveProblem(curve).get());
+  ASSERT_FALSE(plain.trace.empty());
+  EXPECT_GT(plain.trace[0].cost, plain.initial_cost);
+}
+
+TEST(TruncatedGaussNewton, IsTheTruncatedStepWhereThatLowersTheCost) {
+  CurveCase curve;
+  curve.noise_step = 1e-3;
+  const auto problem = MakeCurveProblem(curve);
+  Linearization linearization;
+  ASSERT_TRUE(Linearize(problem.get(), &linearization));
+  const TruncatedSvd svd = Truncate(Truncation(), problem->scales.tolerance, linearization);
+  SolverOptions options;
+  options.max_iterations = 1;
+  const SolverSummary summary =
+      MakeSolver(SolverMethod::kSvdGaussNewton)->Solve(options, problem.get());
+  EXPECT_LT((summary.state - svd.Solve(linearization.b)).norm(), 1e-10);
 }
 
 }  // namespace

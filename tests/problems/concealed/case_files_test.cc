@@ -12,9 +12,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/io/problem_reader.h"
-#include "core/io/recording_reader.h"
 #include "problems/concealed/scenarios.h"
+#include "problems/formats/problem/problem_reader.h"
+#include "problems/formats/recording/recording_reader.h"
 #include "tests/support/files.h"
 #include "tests/support/sanitized.h"
 

@@ -11,6 +11,7 @@
 #include "core/solver/linearization.h"
 #include "problems/assembly.h"
 #include "problems/diagnosis/projection.h"
+#include "residuals/registry.h"
 #include "tests/support/recorder.h"
 #include "tests/support/robots.h"
 
@@ -28,7 +29,7 @@ class DesignRowsLaw : public testing::TestWithParam<Kind> {};
 TEST_P(DesignRowsLaw, LeaveTheSameSquaresAsTheResidualBlocks) {
   const TrueRobot truth = MakeTrueRobot(Kr15(), 4);
   ProblemSpec spec = MakeSpec(truth.nominal, GetParam().kind, GetParam().noise);
-  if (GetParam().kind == MeasurementKind::kDistance) {
+  if (GetParam().kind.name == "distance") {
     spec.measurement.anchors = {{"a", Eigen::Vector3d(2, 0, 0)}, {"b", Eigen::Vector3d(0, 2, 1)}};
   }
   RecordingPlan plan;
@@ -42,10 +43,10 @@ TEST_P(DesignRowsLaw, LeaveTheSameSquaresAsTheResidualBlocks) {
   const Eigen::VectorXd state =
       Eigen::VectorXd::Constant(static_cast<Eigen::Index>(c.parameters.size()), 1e-4);
 
-  const auto problem = BuildProblem(c, noise);
-  problem->set_state(state);
+  CalibrationProblem problem(c, noise);
+  problem.set_state(state);
   Linearization linear;
-  ASSERT_TRUE(Linearize(problem.get(), &linear));
+  ASSERT_TRUE(Linearize(&problem, &linear));
   const DesignRows rows(c, state, noise, c.readings.fitted);
   const Eigen::MatrixXd J = rows.Geometry(c.parameters);
 
@@ -53,25 +54,26 @@ TEST_P(DesignRowsLaw, LeaveTheSameSquaresAsTheResidualBlocks) {
   const Eigen::VectorXd right = linear.R.transpose() * linear.b;
   EXPECT_LT((J.transpose() * J - normal).norm(), 1e-9 * normal.norm());
   EXPECT_LT((J.transpose() * rows.y() - right).norm(), 1e-9 * right.norm());
-  EXPECT_NEAR(rows.y().squaredNorm(), 2 * linear.cost(), 1e-9 * linear.cost());
+  EXPECT_NEAR(rows.y().squaredNorm(), 2 * linear.cost, 1e-9 * linear.cost);
   // A difference holds three readings; a series of shared ones has three rows more, and three
   // offsets that take them away again.
   EXPECT_EQ(rows.degrees_of_freedom(),
-            static_cast<int>(c.readings.fitted.size()) * NumCoordinates(GetParam().kind));
+            static_cast<int>(c.readings.fitted.size()) * GetParam().kind.num_coordinates());
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Kinds,
     DesignRowsLaw,
-    testing::Values(Kind{"position", MeasurementKind::kPosition, NoiseKind::kIndependent},
-                    Kind{"pose", MeasurementKind::kPose, NoiseKind::kIndependent},
-                    Kind{"adjacent", MeasurementKind::kAdjacentPosition, NoiseKind::kIndependent},
-                    Kind{"shared", MeasurementKind::kAdjacentPosition, NoiseKind::kSharedPose}),
+    testing::Values(Kind{"position", KindNamed("position"), NoiseKind::kIndependent},
+                    Kind{"pose", KindNamed("pose"), NoiseKind::kIndependent},
+                    Kind{"adjacent", KindNamed("adjacent_position"), NoiseKind::kIndependent},
+                    Kind{"shared", KindNamed("adjacent_position"), NoiseKind::kSharedPose},
+                    Kind{"distance", KindNamed("distance"), NoiseKind::kIndependent}),
     [](const auto& param) { return std::string(param.param.name); });
 
 TEST(WhitenSerially, TakesTheReadingBeforeOutOfRowsAndColumnsAlikeWithinRuns) {
   const TrueRobot truth = MakeTrueRobot(Kr15(), 5);
-  ProblemSpec spec = MakeSpec(truth.nominal, MeasurementKind::kPosition, NoiseKind::kIndependent);
+  ProblemSpec spec = MakeSpec(truth.nominal, KindNamed("position"), NoiseKind::kIndependent);
   spec.parameters.effects.resize(1);
   spec.parameters.effects[0].effect = "joint_gain";
   spec.parameters.effects[0].joint = 3;

@@ -10,11 +10,11 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
-#include "core/io/recording_reader.h"
 #include "core/physics/registry.h"
 #include "problems/diagnosis/complete_fit.h"
 #include "problems/diagnosis/projection.h"
 #include "problems/diagnosis/search.h"
+#include "problems/formats/recording/recording_reader.h"
 #include "tests/support/problem_cases.h"
 #include "tests/support/robots.h"
 #include "tests/support/sanitized.h"

@@ -7,6 +7,7 @@
 #include "core/kinematics/dh_chain.h"
 #include "core/physics/registry.h"
 #include "problems/diagnosis/diagnose.h"
+#include "residuals/registry.h"
 #include "tests/support/problem_cases.h"
 #include "tests/support/recorder.h"
 #include "tests/support/robots.h"
@@ -31,7 +32,7 @@ int Accused(const Scenario& scenario, int draws) {
 // At 5 % more than 3 of 16 draws come up in 1 of 140 cases; 58 % gave 9.
 TEST(NullData, ManyShortSeriesOfSharedReadingsAreNotAccused) {
   Scenario scenario;
-  scenario.kind = MeasurementKind::kAdjacentPosition;
+  scenario.kind = "adjacent_position";
   scenario.noise = NoiseKind::kSharedPose;
   scenario.sigma_known = false;
   scenario.runs = 25;
@@ -55,7 +56,7 @@ TEST(NullData, ARobotOfOneJointIsDiagnosed) {
     RecordingPlan plan;
     plan.poses = 60;
     plan.seed = 3;
-    ProblemSpec spec = MakeSpec(robot, MeasurementKind::kPosition, NoiseKind::kIndependent);
+    ProblemSpec spec = MakeSpec(robot, KindNamed("position"), NoiseKind::kIndependent);
     const Recording recording = Record(MakeTrueRobot(robot, 3), spec, plan);
     EXPECT_EQ(Diagnosed(spec, recording).verdict, DiagnosisVerdict::kConsistent);
   }

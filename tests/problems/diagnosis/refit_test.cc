@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "residuals/registry.h"
 #include "tests/support/problem_cases.h"
 #include "tools/support/study_scenarios.h"
 
@@ -10,12 +11,12 @@ namespace dhcal {
 namespace {
 
 /// A KR 15 of which joint 2 yields, read in another way.
-ProblemSpec YieldingJoint(MeasurementKind kind, NoiseKind noise) {
+ProblemSpec YieldingJoint(const MeasurementKind& kind, NoiseKind noise) {
   ProblemSpec spec = LoadCase("kr15_left_out");
   spec.simulate->effects.resize(1);
   spec.measurement.kind = kind;
   spec.measurement.noise = noise;
-  if (kind == MeasurementKind::kPose) {
+  if (kind.name == "pose") {
     spec.simulate->noise_rotation = 5e-5;
     spec.measurement.sigma_rotation = 5e-5;
   }
@@ -31,18 +32,17 @@ void ExpectOnlyTheYieldingJoint(const DiagnosisResult& d) {
 }
 
 TEST(Refit, PosesAreJudgedByBothTheirNoises) {
-  const ProblemSpec spec = YieldingJoint(MeasurementKind::kPose, NoiseKind::kIndependent);
+  const ProblemSpec spec = YieldingJoint(KindNamed("pose"), NoiseKind::kIndependent);
   ExpectOnlyTheYieldingJoint(Diagnosed(spec, RecordingOf(spec)));
 }
 
 TEST(Refit, DifferencesOfSharedReadingsAreJudgedByTheReadingsNoise) {
-  const ProblemSpec spec =
-      YieldingJoint(MeasurementKind::kAdjacentPosition, NoiseKind::kSharedPose);
+  const ProblemSpec spec = YieldingJoint(KindNamed("adjacent_position"), NoiseKind::kSharedPose);
   ExpectOnlyTheYieldingJoint(Diagnosed(spec, RecordingOf(spec)));
 }
 
 TEST(Refit, AnEffectThatTheFileSwitchesOnIsNeitherFoundAgainNorARisk) {
-  ProblemSpec spec = YieldingJoint(MeasurementKind::kPosition, NoiseKind::kIndependent);
+  ProblemSpec spec = YieldingJoint(KindNamed("position"), NoiseKind::kIndependent);
   spec.parameters.effects = {Request("joint_compliance", 2)};
   const DiagnosisResult d = Diagnosed(spec, RecordingOf(spec));
   EXPECT_EQ(d.verdict, DiagnosisVerdict::kConsistent) << d.summary;

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/io/problem_reader.h"
-#include "core/io/recording_reader.h"
 #include "problems/concealed/case_files.h"
 #include "problems/concealed/scenarios.h"
+#include "problems/formats/problem/problem_reader.h"
+#include "problems/formats/recording/recording_reader.h"
 #include "tests/support/problem_cases.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temp_file.h"

@@ -1,0 +1,211 @@
+// calibrated.yaml: the problem file again, with the corrected robot as its nominal one. Built from
+// the file itself, so that everything the corrections do not concern stays as the user wrote it.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/math/rotation.h"
+#include "problems/formats/result/result_writer.h"
+
+namespace dhcal {
+namespace {
+
+/// The shortest digits that read back as the same double.
+std::string Digits(double value) { return fmt::format("{}", value + 0.0); }  // + 0.0: no "-0"
+
+/// The degrees whose radians come closest to `angle`: the quotient may be off by one last bit.
+double DegreesOf(double angle) {
+  const double quotient = angle / kDegree;
+  double best = quotient;
+  for (const double towards : {-HUGE_VAL, HUGE_VAL}) {
+    const double neighbour = std::nextafter(quotient, towards);
+    if (std::abs(neighbour * kDegree - angle) < std::abs(best * kDegree - angle)) best = neighbour;
+  }
+  return best;
+}
+
+YAML::Node FlowMap() {
+  YAML::Node map(YAML::NodeType::Map);
+  map.SetStyle(YAML::EmitterStyle::Flow);
+  return map;
+}
+
+YAML::Node FlowList(const Eigen::Vector3d& numbers) {
+  YAML::Node list(YAML::NodeType::Sequence);
+  list.SetStyle(YAML::EmitterStyle::Flow);
+  for (const double number : numbers) list.push_back(Digits(number));
+  return list;
+}
+
+/// Null when the key is missing, which reads better below than the library's invalid node.
+YAML::Node Child(const YAML::Node& map, const std::string& key) {
+  if (!map.IsMap()) return YAML::Node();
+  const YAML::Node child = map[key];
+  return child.IsDefined() ? child : YAML::Node();
+}
+
+/// A map's entries whose key, without its unit suffix, is not in `stems`.
+YAML::Node Without(const std::set<std::string>& stems, const YAML::Node& map) {
+  YAML::Node rest = FlowMap();
+  if (!map.IsMap()) return rest;
+  for (const auto& entry : map) {
+    const std::string key = entry.first.Scalar();
+    if (stems.count(key.substr(0, key.find('_'))) == 0) rest[key] = entry.second;
+  }
+  return rest;
+}
+
+YAML::Node JointNode(const JointRow& joint, const YAML::Node& old) {
+  YAML::Node node = Without({"theta", "d", "a", "alpha", "beta"}, old);
+  node["theta_deg"] = Digits(DegreesOf(joint.theta));
+  node["d_m"] = Digits(joint.d);
+  node["a_m"] = Digits(joint.a);
+  node["alpha_deg"] = Digits(DegreesOf(joint.alpha));
+  if (joint.beta != 0) node["beta_deg"] = Digits(DegreesOf(joint.beta));
+  return node;
+}
+
+void SetPose(const Eigen::Isometry3d& X, YAML::Node* node) {
+  const Eigen::Vector3d rpy = RpyFromRotation(X.linear());
+  (*node)["xyz_m"] = FlowList(X.translation());
+  (*node)["rpy_deg"] = FlowList({DegreesOf(rpy.x()), DegreesOf(rpy.y()), DegreesOf(rpy.z())});
+}
+
+YAML::Node FrameNode(const Eigen::Isometry3d& X,
+                     const std::vector<RunFrame>& frames_of_runs,
+                     const YAML::Node& old) {
+  YAML::Node node = Without({"xyz", "rpy", "runs"}, old);
+  SetPose(X, &node);
+  if (frames_of_runs.empty()) return node;
+  YAML::Node runs(YAML::NodeType::Map);
+  for (const RunFrame& frame : frames_of_runs) {
+    YAML::Node run = FlowMap();
+    SetPose(frame.X, &run);
+    runs[frame.run] = run;
+  }
+  node["runs"] = runs;
+  node.SetStyle(YAML::EmitterStyle::Block);
+  return node;
+}
+
+YAML::Node TargetsNode(const std::vector<Target>& targets, const YAML::Node& old) {
+  YAML::Node node(YAML::NodeType::Map);
+  for (const Target& target : targets) {
+    node[target.name] = FrameNode(target.X_TQ, {}, Child(old, target.name));
+  }
+  return node;
+}
+
+[[noreturn]] void ThrowChanged() {
+  throw std::runtime_error("the problem file has changed since it was read");
+}
+
+YAML::Node JointsNode(const RobotModel& calibrated, const YAML::Node& old) {
+  if (!old.IsSequence() || old.size() != calibrated.joints.size()) ThrowChanged();
+  YAML::Node joints(YAML::NodeType::Sequence);
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    joints.push_back(JointNode(calibrated.joints[i], old[i]));
+  }
+  return joints;
+}
+
+/// Written only when it says something, so that a file without the key stays without.
+bool Needed(const YAML::Node& old, const Eigen::Isometry3d& X, const std::vector<RunFrame>& runs) {
+  return !old.IsNull() || !runs.empty() || !X.isApprox(Eigen::Isometry3d::Identity(), 0.0);
+}
+
+/// Rebuilt rather than changed in place: parts of the file may be shared through YAML aliases.
+/// `units` goes, because every number written here names its own unit.
+YAML::Node RobotNode(const RobotModel& calibrated, const YAML::Node& old) {
+  YAML::Node robot(YAML::NodeType::Map);
+  for (const auto& entry : old) {
+    const std::string key = entry.first.Scalar();
+    if (key != "units") robot[key] = entry.second;
+  }
+  robot["joints"] = JointsNode(calibrated, Child(old, "joints"));
+  const YAML::Node base = Child(old, "base");
+  if (Needed(base, calibrated.X_WB, calibrated.base_of_run)) {
+    robot["base"] = FrameNode(calibrated.X_WB, calibrated.base_of_run, base);
+  }
+  const YAML::Node tool = Child(old, "tool");
+  if (Needed(tool, calibrated.X_TQ, calibrated.tool_of_run)) {
+    robot["tool"] = FrameNode(calibrated.X_TQ, calibrated.tool_of_run, tool);
+  }
+  if (!calibrated.targets.empty()) {
+    robot["targets"] = TargetsNode(calibrated.targets, Child(old, "targets"));
+  }
+  return robot;
+}
+
+/// An effect with what was found for it; as it stands where it was held already.
+YAML::Node EffectNode(const EffectRequest& effect, const YAML::Node& old) {
+  if (!effect.held || !Child(old, "values").IsNull()) return old;
+  YAML::Node values = FlowMap();
+  for (const auto& [name, value] : effect.values) values[name] = Digits(value);
+  YAML::Node node = Without({}, old);
+  node["values"] = values;
+  return node;
+}
+
+YAML::Node ParametersNode(const std::vector<EffectRequest>& effects, const YAML::Node& old) {
+  YAML::Node parameters(YAML::NodeType::Map);
+  for (const auto& entry : old) {
+    const std::string key = entry.first.Scalar();
+    if (key != "effects") {
+      parameters[key] = entry.second;
+      continue;
+    }
+    if (!entry.second.IsSequence() || entry.second.size() != effects.size()) ThrowChanged();
+    YAML::Node list(YAML::NodeType::Sequence);
+    for (std::size_t k = 0; k < effects.size(); ++k) {
+      list.push_back(EffectNode(effects[k], entry.second[k]));
+    }
+    parameters[key] = list;
+  }
+  return parameters;
+}
+
+}  // namespace
+
+std::string CalibratedYaml(const ProblemSpec& spec,
+                           const RobotModel& calibrated,
+                           const std::vector<EffectRequest>& effects,
+                           const std::string& recording_path) {
+  const YAML::Node original = YAML::LoadFile(spec.file);
+  YAML::Node root(YAML::NodeType::Map);
+  for (const auto& entry : original) {
+    const std::string key = entry.first.Scalar();
+    if (key == "recording" || key == "simulate") {
+      root["recording"] = recording_path;
+    } else if (key == "robot") {
+      root["robot"] = RobotNode(calibrated, entry.second);
+    } else if (key == "parameters") {
+      root["parameters"] = ParametersNode(effects, entry.second);
+    } else {
+      root[key] = entry.second;
+    }
+  }
+  const bool held = std::any_of(
+      effects.begin(), effects.end(), [](const EffectRequest& effect) { return effect.held; });
+  YAML::Emitter emitter;
+  emitter << root;
+  return fmt::format(
+             "# Made by ceres_dhcal from {}: the nominal values of the robot are the ones\n"
+             "# identified from its recording{}.\n"
+             "# Its other keys are as they were; its comments are gone.\n",
+             Printable(std::filesystem::path(spec.file).filename().string()),
+             held ? ", and its effects are held at what was found" : "") +
+         emitter.c_str() + "\n";
+}
+
+}  // namespace dhcal

@@ -1,0 +1,162 @@
+#include "problems/formats/problem/problem_reader.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include "core/base/text.h"
+#include "core/io/text_file.h"
+#include "core/io/yaml_map.h"
+#include "core/io/yaml_source.h"
+#include "core/io/yaml_value.h"
+#include "problems/formats/problem/effects_reader.h"
+#include "problems/formats/problem/measurement_reader.h"
+#include "problems/formats/problem/parameters_reader.h"
+#include "problems/formats/problem/robot_reader.h"
+#include "problems/formats/problem/simulation_reader.h"
+#include "problems/formats/problem/solver_reader.h"
+
+namespace dhcal {
+
+namespace {
+
+constexpr int kSchema = 1;
+constexpr const char* kDataVariable = "${DHCAL_DATA}";
+
+/// A path relative to the problem file, or below the data folder.
+std::string ResolvePath(const YamlValue& value, const std::string& data_dir) {
+  const std::optional<std::string> text = value.Text();
+  if (!text) return "";
+  if (StartsWith(*text, kDataVariable)) {
+    if (data_dir.empty()) {
+      value.Error(
+          fmt::format("starts with {}, but no data folder is known; give it with the flag "
+                      "--data_dir or the environment variable DHCAL_DATA",
+                      kDataVariable));
+      return "";
+    }
+    const std::string rest = text->substr(std::string(kDataVariable).size());
+    const std::size_t first = std::min(rest.find_first_not_of('/'), rest.size());
+    return (std::filesystem::path(data_dir) / rest.substr(first)).string();
+  }
+  if (text->find("${") != std::string::npos) {
+    value.Error(fmt::format(
+        "is '{}'; the only variable is {}, at the start", Printable(*text), kDataVariable));
+    return "";
+  }
+  return (std::filesystem::path(value.source()->file()).parent_path() / *text).string();
+}
+
+/// The name also names the result folder.
+void ReadName(YamlMap* map, ProblemSpec* spec) {
+  spec->name = std::filesystem::path(spec->file).stem().string();
+  const std::optional<YamlValue> value = map->Find("name");
+  if (!value) return;
+  const std::optional<std::string> name = value->Text();
+  if (!name) return;
+  const bool has_control = std::any_of(
+      name->begin(), name->end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+  if (has_control || name->find_first_of("/\\") != std::string::npos || name->front() == '.') {
+    value->Error(
+        fmt::format("is '{}', but the result folder is named after it: write no slashes, "
+                    "no control characters and no leading dot",
+                    Printable(*name)));
+    return;
+  }
+  spec->name = *name;
+}
+
+void CheckSchema(YamlMap* map) {
+  const std::optional<YamlValue> value = map->Require("schema");
+  if (!value) return;
+  if (value->node().IsScalar() && value->node().Scalar() == std::to_string(kSchema)) return;
+  value->Error(fmt::format("is {}, but this version reads schema {} only; write 'schema: {}'",
+                           value->Describe(),
+                           kSchema,
+                           kSchema));
+}
+
+/// Exactly one of `recording` and `simulate`.
+void ReadSourceOfRows(YamlMap* map, const std::string& data_dir, ProblemSpec* spec) {
+  const std::optional<YamlValue> recording = map->Find("recording");
+  const std::optional<YamlValue> simulate = map->Find("simulate");
+  const PathResolver resolve = [&](const YamlValue& path) { return ResolvePath(path, data_dir); };
+  if (recording) {
+    spec->recording = resolve(*recording);
+    spec->recording_where = recording->where();
+  }
+  if (simulate) {
+    spec->simulate.emplace();
+    ReadSimulation(*simulate, spec->robot, spec->measurement.kind, resolve, &*spec->simulate);
+  }
+  if (recording && simulate) {
+    recording->Error("stands beside 'simulate'; keep one of them");
+  } else if (!map->Has("recording") && !map->Has("simulate")) {
+    map->value().source()->Error(
+        map->value().key_where(),
+        "the file has neither 'recording' (a CSV file) nor 'simulate'; add one of them");
+  }
+}
+
+void ReadProblem(const YamlValue& root, const std::string& data_dir, ProblemSpec* spec) {
+  YamlMap map(root);
+  if (!map.valid()) return;
+  CheckSchema(&map);
+  ReadName(&map, spec);
+  if (const auto robot = map.Require("robot")) ReadRobot(*robot, &spec->robot);
+  if (const auto measurement = map.Require("measurement")) {
+    ReadMeasurement(*measurement, &spec->measurement);
+  }
+  spec->parameters.where = root.key_where();
+  if (const auto parameters = map.Find("parameters")) {
+    spec->parameters.where = parameters->key_where();
+    ReadParameters(*parameters, spec->robot, &spec->parameters);
+  }
+  if (const auto solver = map.Find("solver")) ReadSolver(*solver, &spec->solver);
+  if (const auto diagnosis = map.Find("diagnosis")) ReadDiagnosis(*diagnosis, &spec->diagnosis);
+  ReadSourceOfRows(&map, data_dir, spec);
+}
+
+/// Adds the messages of `from` in the order of their places.
+void AddSorted(const Diagnostics& from, Diagnostics* to) {
+  std::vector<Diagnostic> all = from.all();
+  std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::tie(a.where.line, a.where.column) < std::tie(b.where.line, b.where.column);
+  });
+  for (Diagnostic& diagnostic : all) {
+    if (diagnostic.severity == Severity::kError) {
+      to->Error(std::move(diagnostic.where), std::move(diagnostic.message));
+    } else {
+      to->Warning(std::move(diagnostic.where), std::move(diagnostic.message));
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<ProblemSpec> ReadProblemFile(const std::string& file,
+                                           const std::string& data_dir,
+                                           Diagnostics* diagnostics) {
+  std::optional<std::string> content = ReadTextFile(file, diagnostics);
+  if (!content) return std::nullopt;
+  Diagnostics found;
+  ProblemSpec spec;
+  spec.file = file;
+  const YamlSource source(file, std::move(*content), &found);
+  if (const std::optional<YAML::Node> root = source.Parse()) {
+    try {
+      ReadProblem(YamlValue(*root, "", {file, 1, 1}, &source), data_dir, &spec);
+    } catch (const YAML::Exception& error) {
+      found.Error(source.At(error.mark), fmt::format("this cannot be read ({})", error.msg));
+    }
+  }
+  AddSorted(found, diagnostics);
+  return found.ok() ? std::optional(std::move(spec)) : std::nullopt;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,205 @@
+#include "problems/formats/recording/recording_reader.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/text.h"
+#include "core/io/csv.h"
+#include "core/io/file_errors.h"
+#include "problems/formats/recording/recording_cells.h"
+#include "problems/formats/recording/recording_layout.h"
+
+namespace dhcal {
+
+namespace {
+
+/// Names of the columns that the format does not have, as the warning about them lists them.
+struct UnknownColumns {
+  std::string kept, with_blanks, of_text;
+};
+
+/// Fills a Recording field by field from the columns found.
+class RecordingFiller {
+ public:
+  RecordingFiller(const CsvTable& table, const RecordingLayout& layout, FileErrors* errors)
+      : table_(table), layout_(layout), errors_(errors), cells_(table, errors) {}
+
+  Recording Fill();
+
+ private:
+  Eigen::MatrixXd Numbers(RecordingField field, const NumberRule& rule = kAnyNumber);
+  Eigen::VectorXd Number(RecordingField field, const NumberRule& rule = kAnyNumber);
+  /// Coordinates of which a row has all or none.
+  Eigen::MatrixXd Coordinates(RecordingField field);
+  Eigen::MatrixXd Joints();
+  Eigen::MatrixXd UnitQuaternions();
+  std::vector<int> Labels(RecordingField field, bool may_be_blank, std::vector<std::string>* names);
+  std::vector<bool> TestRows();
+  std::vector<ExtraColumn> Extra();
+  void WarnOfUnknown(const UnknownColumns& unknown);
+
+  const CsvTable& table_;
+  const RecordingLayout& layout_;
+  FileErrors* errors_;
+  CellReader cells_;
+};
+
+Eigen::MatrixXd RecordingFiller::Numbers(RecordingField field, const NumberRule& rule) {
+  if (!layout_.Has(field)) return {};
+  const FieldColumns& columns = layout_.fields.at(field);
+  const int num_components = static_cast<int>(columns.column.size());
+  // A component without a column stays blank.
+  Eigen::MatrixXd numbers = Eigen::MatrixXd::Constant(
+      table_.num_rows(), num_components, std::numeric_limits<double>::quiet_NaN());
+  for (int i = 0; i < num_components; ++i) {
+    if (columns.column[i] < 0) continue;
+    cells_.ReadNumbers(columns.column[i], columns.to_si[i], rule, numbers.col(i));
+  }
+  return numbers;
+}
+
+Eigen::VectorXd RecordingFiller::Number(RecordingField field, const NumberRule& rule) {
+  if (!layout_.Has(field)) return {};
+  return Numbers(field, rule).col(0);
+}
+
+Eigen::MatrixXd RecordingFiller::Coordinates(RecordingField field) {
+  if (layout_.Has(field)) cells_.CheckAllOrNone(layout_.fields.at(field).column);
+  return Numbers(field);
+}
+
+Eigen::MatrixXd RecordingFiller::Joints() {
+  for (const int column : layout_.fields.at(RecordingField::kJoint).column) {
+    if (column >= 0) cells_.CheckNoneBlank(column);
+  }
+  return Numbers(RecordingField::kJoint);
+}
+
+Eigen::MatrixXd RecordingFiller::UnitQuaternions() {
+  constexpr double kNormTolerance = 0.01;  // what rounding in the file may explain
+  Eigen::MatrixXd quaternions = Coordinates(RecordingField::kQuaternion);
+  for (int row = 0; row < quaternions.rows(); ++row) {
+    const double norm = quaternions.row(row).norm();
+    if (std::isnan(norm)) continue;
+    if (std::abs(norm - 1.0) <= kNormTolerance) {
+      quaternions.row(row) /= norm;
+      continue;
+    }
+    cells_.Error(row,
+                 layout_.Column(RecordingField::kQuaternion),
+                 fmt::format("the quaternion qw, qx, qy, qz has the norm {:.4g}; a norm from 0.99 "
+                             "to 1.01 is expected",
+                             norm));
+  }
+  return quaternions;
+}
+
+std::vector<int> RecordingFiller::Labels(RecordingField field,
+                                         bool may_be_blank,
+                                         std::vector<std::string>* names) {
+  if (!layout_.Has(field)) return {};
+  return cells_.ReadLabels(layout_.Column(field), may_be_blank, names);
+}
+
+std::vector<bool> RecordingFiller::TestRows() {
+  if (!layout_.Has(RecordingField::kSet)) return {};
+  const int column = layout_.Column(RecordingField::kSet);
+  std::vector<bool> is_test(table_.num_rows(), false);
+  for (int row = 0; row < table_.num_rows(); ++row) {
+    const std::string_view cell = table_.cell(row, column);
+    is_test[row] = cell == "test";
+    if (cell == "test" || cell == "train" || cell.empty()) continue;
+    cells_.Error(row, column, fmt::format("'{}' must be 'train' or 'test'", Printable(cell)));
+  }
+  return is_test;
+}
+
+void RecordingFiller::WarnOfUnknown(const UnknownColumns& unknown) {
+  std::string message;
+  for (const auto& [what, names] :
+       {std::pair("unknown columns, kept as possible drivers: ", &unknown.kept),
+        std::pair("unknown columns, ignored because of blank cells: ", &unknown.with_blanks),
+        std::pair("columns of text, ignored: ", &unknown.of_text)}) {
+    if (names->empty()) continue;
+    message += (message.empty() ? "" : "; ") + (what + *names);
+  }
+  if (!message.empty()) errors_->Warning(table_.NameWhere(0), message);
+}
+
+std::vector<ExtraColumn> RecordingFiller::Extra() {
+  std::vector<ExtraColumn> extra;
+  UnknownColumns unknown;
+  for (std::size_t i = 0; i < layout_.unknown.size(); ++i) {
+    const int column = layout_.unknown[i];
+    const std::string name(table_.name(column));
+    const bool numeric = cells_.IsNumeric(column);
+    const std::optional<int> blank = cells_.FirstBlankLine(column);
+    // With blanks it drives nothing, but a copy of the recording still has it.
+    if (numeric) extra.push_back({name, cells_.NumbersOrNaN(column)});
+    std::string* const list = !numeric ? &unknown.of_text
+                              : blank  ? &unknown.with_blanks
+                                       : &unknown.kept;
+    *list += (list->empty() ? "'" : ", '") + Printable(name) + "'";
+    if (numeric && blank) *list += fmt::format(" (first in line {})", *blank);
+    if (!layout_.hints[i].empty()) *list += " (did you mean '" + layout_.hints[i] + "'?)";
+  }
+  if (layout_.Has(RecordingField::kEdge)) {
+    unknown.of_text += unknown.of_text.empty() ? "'edge'" : ", 'edge'";
+  }
+  WarnOfUnknown(unknown);
+  if (!layout_.Has(RecordingField::kHead)) return extra;
+  for (const int column : layout_.fields.at(RecordingField::kHead).column) {
+    if (column < 0) continue;
+    extra.push_back({std::string(table_.name(column)), cells_.ReadNumbers(column)});
+  }
+  return extra;
+}
+
+Recording RecordingFiller::Fill() {
+  Recording recording;
+  for (int row = 0; row < table_.num_rows(); ++row) recording.lines.push_back(table_.line(row));
+  recording.q = Joints();
+  recording.p_WQ = Coordinates(RecordingField::kPosition);
+  recording.displacement = Coordinates(RecordingField::kDisplacement);
+  recording.quaternion = UnitQuaternions();
+  recording.distance = Number(RecordingField::kDistance, kPositive);
+  recording.sigma = Number(RecordingField::kSigma, kPositive);
+  recording.time = Number(RecordingField::kTime);
+  recording.payload = Number(RecordingField::kPayload, kNotNegative);
+  recording.temperature =
+      Numbers(layout_.Has(RecordingField::kTemperature) ? RecordingField::kTemperature
+                                                        : RecordingField::kJointTemperature);
+  recording.direction = Numbers(RecordingField::kDirection, kSign);
+  recording.speed = Numbers(RecordingField::kSpeed);
+  recording.torque = Numbers(RecordingField::kTorque);
+  recording.run_idx = Labels(RecordingField::kRun, false, &recording.run_names);
+  recording.target_idx = Labels(RecordingField::kTarget, false, &recording.target_names);
+  recording.anchor_idx = Labels(RecordingField::kAnchor, true, &recording.anchor_names);
+  recording.is_test = TestRows();
+  recording.extra = Extra();
+  return recording;
+}
+
+}  // namespace
+
+std::optional<Recording> ReadRecording(const std::string& file,
+                                       const std::vector<JointRow>& joints,
+                                       Diagnostics* diagnostics) {
+  FileErrors errors(file);
+  std::optional<Recording> recording;
+  if (const std::optional<CsvTable> table = ReadCsv(file, &errors)) {
+    const RecordingLayout layout = FindColumns(*table, joints, &errors);
+    recording = RecordingFiller(*table, layout, &errors).Fill();
+    recording->file = file;
+  }
+  errors.Report(diagnostics);
+  return errors.ok() ? std::move(recording) : std::nullopt;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,24 @@
+// Reads a recording (CSV), independent of the locale. All errors are collected.
+#ifndef DHCAL_PROBLEMS_FORMATS_RECORDING_RECORDING_READER_H_
+#define DHCAL_PROBLEMS_FORMATS_RECORDING_RECORDING_READER_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/model/recording.h"
+#include "core/model/robot.h"
+
+namespace dhcal {
+
+/// Reads `file` for a robot with these joints (their types decide between q1_deg and q1_mm).
+/// Returns the recording, or nothing when `diagnostics` received an error. Unknown columns are
+/// kept as `extra` and named in one warning.
+std::optional<Recording> ReadRecording(const std::string& file,
+                                       const std::vector<JointRow>& joints,
+                                       Diagnostics* diagnostics);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_FORMATS_RECORDING_RECORDING_READER_H_

@@ -1,0 +1,177 @@
+// The result folder: which files it holds, when it may be replaced, and what goes into it.
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/io/folder_swap.h"
+#include "core/io/posix_file.h"
+#include "problems/formats/result/result_writer.h"
+
+namespace dhcal {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kResultJson[] = "result.json";  // every result has it
+constexpr char kRecordingCsv[] = "recording.csv";
+
+const std::vector<std::string>& OwnNames() {
+  static const std::vector<std::string> names = {
+      "report.txt", "report.html", kResultJson, "calibrated.yaml", "residuals.csv", kRecordingCsv};
+  return names;
+}
+
+/// Absolute, without trailing slash, and behind a symbolic link the folder that it names.
+fs::path Resolve(const std::string& directory) {
+  fs::path folder = fs::absolute(directory).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();
+  std::error_code ignored;
+  return fs::is_symlink(folder, ignored) ? fs::weakly_canonical(folder) : folder;
+}
+
+/// Names in the folder that no result has; a subfolder or link is foreign under any name.
+std::vector<std::string> ForeignNames(const fs::path& folder, bool* has_result) {
+  std::vector<std::string> foreign;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool own = std::count(OwnNames().begin(), OwnNames().end(), name) > 0;
+    if (!own || !fs::is_regular_file(entry.symlink_status())) foreign.push_back(name);
+    if (name == kResultJson) *has_result = true;
+  }
+  std::sort(foreign.begin(), foreign.end());
+  return foreign;
+}
+
+/// What forbids to replace a folder that exists; empty when nothing does.
+std::string WhyNotReplaceable(const fs::path& folder) {
+  if (!fs::is_directory(folder)) return "is not a folder; name another one with --out";
+  if (fs::equivalent(folder, fs::current_path())) {
+    return "is the current folder, which cannot be replaced while in use; name a folder in it";
+  }
+  bool has_result = false;
+  std::vector<std::string> foreign = ForeignNames(folder, &has_result);
+  if (!foreign.empty()) {
+    const std::string more =
+        foreign.size() > 3 ? fmt::format(" and {} more", foreign.size() - 3) : std::string();
+    foreign.resize(std::min<std::size_t>(foreign.size(), 3));
+    return fmt::format(
+        "holds files that are not from an earlier result ({}{}) and is left alone; name an empty "
+        "or new folder with --out",
+        fmt::join(foreign, ", "),
+        more);
+  }
+  if (!has_result && !fs::is_empty(folder)) {
+    return fmt::format(
+        "holds files but no {}, so it is no earlier result and is left alone; "
+        "name an empty or new folder with --out",
+        kResultJson);
+  }
+  return "";
+}
+
+/// Why nothing can be made in the nearest parent that exists; empty when it can.
+std::string WhyParentNotWritable(const fs::path& folder) {
+  fs::path parent = folder.parent_path();
+  while (!fs::exists(parent) && parent.has_relative_path()) parent = parent.parent_path();
+  if (!fs::is_directory(parent)) {
+    return fmt::format("cannot be made: {} is not a folder", parent.string());
+  }
+  if (::access(parent.c_str(), W_OK | X_OK) == 0) return "";
+  return fmt::format("cannot be made in {}: {}", parent.string(), ErrorText(errno));
+}
+
+/// A recording that lies in the folder to be replaced would be lost with it.
+bool LiesIn(const std::string& file, const fs::path& folder) {
+  std::error_code error;
+  return !file.empty() && fs::equivalent(fs::absolute(file).parent_path(), folder, error) && !error;
+}
+
+/// What calibrated.yaml says to find the recording.
+std::string RecordingPath(const ProblemSpec& spec, bool stored, const fs::path& folder) {
+  if (stored) return kRecordingCsv;
+  const fs::path recording = fs::absolute(spec.recording);
+  std::error_code error;
+  const fs::path relative = fs::proximate(recording, folder, error);
+  return (error ? recording : relative).string();
+}
+
+std::string ReadBytes(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw std::runtime_error(file + " cannot be read any more");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The folder's files. Throws std::runtime_error when an input has gone since it was read.
+std::vector<NamedContent> Compose(const ProblemSpec& spec,
+                                  const Recording& recording,
+                                  const Result& result,
+                                  const std::string& report_text,
+                                  const fs::path& folder) {
+  std::vector<NamedContent> files = {{"report.txt", report_text},
+                                     {kResultJson, ResultToJson(result)}};
+  const bool keep_recording = LiesIn(spec.recording, folder);
+  if (result.simulated) {
+    files.push_back({kRecordingCsv, RecordingToCsv(recording, spec.robot)});
+  } else if (keep_recording) {
+    files.push_back({kRecordingCsv, ReadBytes(spec.recording)});
+  }
+  if (!result.residuals.empty()) {
+    files.push_back({"residuals.csv", ResidualsToCsv(result, recording)});
+  }
+  // Without a usable fit there is no calibrated robot to run again.
+  if (result.best() != nullptr) {
+    const std::string path = RecordingPath(spec, result.simulated || keep_recording, folder);
+    const std::vector<EffectRequest> effects =
+        EffectsAsFound(spec, recording, result.best()->parameters);
+    files.push_back({"calibrated.yaml", CalibratedYaml(spec, result.calibrated, effects, path)});
+  }
+  return files;
+}
+
+}  // namespace
+
+void CheckResultDirectory(const std::string& directory, Diagnostics* diagnostics) {
+  std::string why;
+  try {
+    const fs::path folder = directory.empty() ? fs::path() : Resolve(directory);
+    if (!folder.has_filename()) {
+      why = "is no name for a result folder";
+    } else {
+      if (fs::exists(folder)) why = WhyNotReplaceable(folder);
+      if (why.empty()) why = WhyParentNotWritable(folder);
+    }
+  } catch (const fs::filesystem_error& error) {
+    why = "cannot be used as result folder: " + error.code().message();
+  }
+  if (!why.empty()) diagnostics->Error({directory}, why);
+}
+
+bool WriteResult(const ProblemSpec& spec,
+                 const Recording& recording,
+                 const Result& result,
+                 const std::string& report_text,
+                 const std::string& directory,
+                 Diagnostics* diagnostics) {
+  const int errors_before = diagnostics->num_errors();
+  CheckResultDirectory(directory, diagnostics);
+  if (diagnostics->num_errors() > errors_before) return false;
+  try {
+    const fs::path folder = Resolve(directory);
+    const std::vector<NamedContent> files = Compose(spec, recording, result, report_text, folder);
+    return ReplaceFolder(folder, files, OwnNames(), SwapMethod::kExchange, diagnostics);
+  } catch (const std::runtime_error& error) {
+    diagnostics->Error({spec.file}, fmt::format("the result cannot be written: {}", error.what()));
+    return false;
+  }
+}
+
+}  // namespace dhcal
