@@ -26,9 +26,9 @@
 #include "core/io/problem_reader.h"
 #include "core/io/recording_reader.h"
 #include "problems/diagnosis/diagnose.h"
-#include "problems/diagnosis/transfer.h"
 #include "problems/identify.h"
 #include "problems/simulate.h"
+#include "tools/transfer/transfer.h"
 
 namespace dhcal {
 namespace {

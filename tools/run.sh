@@ -7,7 +7,7 @@ usage() {
 usage: tools/run.sh [ceres_dhcal arguments]
 
 Installs what is missing, builds ceres_dhcal and runs
-  ceres_dhcal --problem problems/kr15.yaml [ceres_dhcal arguments]
+  ceres_dhcal --problem problems/cases/kr15.yaml [ceres_dhcal arguments]
 in the current directory. Another case instead: tools/run.sh --problem my_robot.yaml
 TEXT
 }
@@ -33,7 +33,7 @@ if ! (cd "$root" && cmake --preset release) >"$log" 2>&1 ||
 fi
 
 # A problem among the arguments takes the place of the paper's experiment.
-problem=(--problem "$root/problems/kr15.yaml")
+problem=(--problem "$root/problems/cases/kr15.yaml")
 for argument in "$@"; do
   case "$argument" in
     --problem | --problem=* | *.yaml | --help | --version) problem=() ;;

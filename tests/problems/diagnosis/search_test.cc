@@ -9,12 +9,12 @@
 
 #include "core/io/problem_reader.h"
 #include "core/io/recording_reader.h"
-#include "problems/concealed/case_files.h"
-#include "problems/concealed/scenarios.h"
 #include "tests/support/problem_cases.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temp_file.h"
-#include "tools/support/study_scenarios.h"
+#include "tools/proof/simulator/case_files.h"
+#include "tools/proof/simulator/scenarios.h"
+#include "tools/study/scenarios.h"
 
 namespace dhcal {
 namespace {
