@@ -54,3 +54,5 @@ endforeach()
 add_test(NAME tools/layers COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tools/check_layers.py")
 add_test(NAME tools/layers_self_test
          COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/check_layers_test.py")
+add_test(NAME tools/build COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/build_test.py"
+                                  "${CMAKE_COMMAND}")
