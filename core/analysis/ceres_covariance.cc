@@ -47,9 +47,13 @@ CovarianceCheck CheckAgainstCeres(const Identifiability& identifiability,
       wanted.emplace_back(blocks[k], blocks[k]);
     }
   }
+  // A Ceres built without SuiteSparse still has Eigen's sparse QR.
+  const bool suite_sparse = ceres::IsSparseLinearAlgebraLibraryTypeAvailable(ceres::SUITE_SPARSE);
+  const char* const method = suite_sparse ? "SuiteSparse QR" : "Eigen's sparse QR";
   ceres::Covariance::Options options;
   options.algorithm_type = ceres::SPARSE_QR;
-  options.sparse_linear_algebra_library_type = ceres::SUITE_SPARSE;
+  options.sparse_linear_algebra_library_type =
+      suite_sparse ? ceres::SUITE_SPARSE : ceres::EIGEN_SPARSE;
   ceres::Covariance covariance(options);
   const bool computed = covariance.Compute(wanted, problem->problem.get());
   int compared = 0;
@@ -68,14 +72,17 @@ CovarianceCheck CheckAgainstCeres(const Identifiability& identifiability,
 
   const auto num_held = std::count(held.begin(), held.end(), true);
   if (!computed) {
-    check.sentence = "SuiteSparse QR finds the Jacobian rank deficient; sigmas are the SVD's own.";
+    check.sentence =
+        fmt::format("{} finds the Jacobian rank deficient; sigmas are the SVD's own.", method);
   } else if (compared == 0) {
-    check.sentence = "No identified parameter to compare between SuiteSparse QR and the SVD.";
+    check.sentence =
+        fmt::format("No identified parameter to compare between {} and the SVD.", method);
   } else {
     check.sentence = fmt::format(
-        "Sigmas of {} identified parameters from SuiteSparse QR ({} of {} held) agree with the "
-        "SVD's to {:.1g} relative.",
+        "Sigmas of {} identified parameters from {} ({} of {} held) agree with the SVD's to {:.1g} "
+        "relative.",
         compared,
+        method,
         num_held,
         blocks.size(),
         check.difference);
