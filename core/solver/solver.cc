@@ -60,14 +60,6 @@ bool SolverOptions::IsValid(std::string* error) const {
                  "0 <= relative < 1");
 }
 
-std::string SolverSummary::BriefReport() const {
-  return fmt::format("{} after {} iterations, cost {:.6g} -> {:.6g}",
-                     ToString(termination),
-                     trace.size(),
-                     initial_cost,
-                     final_cost);
-}
-
 SolverSummary Solver::Solve(const SolverOptions& options,
                             const EstimationProblemFactory& factory) const {
   std::string error;

@@ -52,8 +52,6 @@ struct SolverSummary {
   bool Converged() const {
     return IsSolutionUsable() && termination != Termination::kIterationLimit;
   }
-  /// One line: how it ended, iterations, cost from and to.
-  std::string BriefReport() const;
 };
 
 /// Non-virtual Solve() checks and times; an algorithm supplies DoSolve().
