@@ -6,7 +6,8 @@ usage: tools/check_layers.py [ROOT]
 Reads every .h and .cc file below ROOT (default: this repository) and reports, as file:line, each
   * include that runs back up between layers:   core <- residuals <- problems <- tools, tests see all
   * include that runs back up inside core:      each sub-folder may include those before it
-  * include by problems/concealed of the code that it is there to judge
+  * include between the rooms of tools:         each sub-folder may include only itself
+  * include by tools/proof of the code that it is there to judge
   * include of a project file that is not written from the repository root
   * file that is longer than the limit
 Exit status: 0 = nothing found, 1 = something found, 2 = ROOT is not such a tree.
@@ -21,9 +22,12 @@ LAYERS = ["core", "residuals", "problems", "tools", "tests"]
 CORE = ["base", "math", "io", "model", "kinematics", "physics", "solver", "analysis", "report"]
 MAX_LINES = 400
 
-# The simulator of concealed recordings shares nothing with the identification that it judges.
-CONCEALED = ("problems", "concealed")
-CONCEALED_MAY_INCLUDE = ("problems/concealed/", "core/base/", "core/io/csv_text.h")
+# The proof shares nothing with the identification that it judges, and its simulator nothing with
+# those who score: folder -> the beginnings of what it may include.
+SEALED_OFF = {
+    "tools/proof/": ("tools/proof/", "core/base/", "core/io/csv_text.h"),
+    "tools/proof/simulator/": ("tools/proof/simulator/", "core/base/", "core/io/csv_text.h"),
+}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
@@ -42,11 +46,20 @@ def core_rule(includer, included):
     return f"core/{includer}/ may not include core/{included}/ (order: {' <- '.join(CORE)})"
 
 
-def concealed_rule(path, target):
-    """Returns the rule that an include of the concealed simulator breaks, or None."""
-    if path.parts[:2] != CONCEALED or target.startswith(CONCEALED_MAY_INCLUDE):
+def room_rule(path, target):
+    """Returns the rule that an include between two rooms of tools breaks, or None."""
+    room = "/".join(path.parts[:2]) + "/"
+    if path.parts[0] != "tools" or len(path.parts) < 3 or not target.startswith("tools/"):
         return None
-    return f"problems/concealed/ may include only {', '.join(CONCEALED_MAY_INCLUDE)}"
+    return None if target.startswith(room) else f"{room} may not include another room of tools"
+
+
+def sealed_off_rule(path, target):
+    """Returns the rule that an include out of a folder that is sealed off breaks, or None."""
+    for folder, allowed in SEALED_OFF.items():
+        if path.as_posix().startswith(folder) and not target.startswith(allowed):
+            return f"{folder} may include only {', '.join(allowed)}"
+    return None
 
 
 def include_rule(root, path, quote, target):
@@ -60,7 +73,11 @@ def include_rule(root, path, quote, target):
         return f'"{target}" is not written from the repository root, as in "core/math/rotation.h"'
     if not (root / target).is_file():
         return f'"{target}" does not exist (paths are written from the repository root)'
-    rule = layer_rule(path.parts[0], parts[0]) or concealed_rule(path, target)
+    rule = (
+        layer_rule(path.parts[0], parts[0])
+        or sealed_off_rule(path, target)
+        or room_rule(path, target)
+    )
     if rule or path.parts[0] != "core" or parts[0] != "core" or parts[1] not in CORE:
         return rule
     # The file at hand is in a known sub-folder, or file_rules says that it is not.

@@ -2,9 +2,9 @@
 //
 //   dhcal_prove --out DIR [--quick] [--seeds N] [--only D4,D5] [--jobs N]
 //
-// Makes recordings of arms with left-out physics (problems/concealed, which shares nothing with the
-// identification), runs ceres_dhcal on each as a user would, opens the sealed answers and prints
-// what was found, what was missed and where it abstained. DIR/proof.json holds all outcomes.
+// Makes recordings of arms with left-out physics (tools/proof/simulator, which shares nothing with
+// the identification), runs ceres_dhcal on each as a user would, opens the sealed answers and
+// prints what was found, what was missed and where it abstained. DIR/proof.json holds all outcomes.
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -17,10 +17,10 @@
 #include <gflags/gflags.h>
 
 #include "core/base/parallel.h"
-#include "problems/concealed/scenarios.h"
-#include "tools/support/proof_suite.h"
-#include "tools/support/proof_table.h"
-#include "tools/support/run_program.h"
+#include "tools/proof/run_program.h"
+#include "tools/proof/simulator/scenarios.h"
+#include "tools/proof/suite.h"
+#include "tools/proof/table.h"
 
 DEFINE_string(out, "proof", "folder for cases, answers, results and proof.json");
 DEFINE_string(program, "", "the program to prove, default: ceres_dhcal beside this one");

@@ -19,7 +19,7 @@
 #include "core/physics/registry.h"
 #include "problems/diagnosis/diagnose.h"
 #include "problems/identify.h"
-#include "tools/support/study_scenarios.h"
+#include "tools/study/scenarios.h"
 
 namespace dhcal {
 namespace {

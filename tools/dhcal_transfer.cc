@@ -23,12 +23,12 @@
 
 #include "core/base/units.h"
 #include "problems/diagnosis/diagnose.h"
-#include "problems/diagnosis/transfer.h"
 #include "problems/formats/problem/problem_checks.h"
 #include "problems/formats/problem/problem_reader.h"
 #include "problems/formats/recording/recording_reader.h"
 #include "problems/identify.h"
 #include "problems/simulate.h"
+#include "tools/transfer/transfer.h"
 
 namespace dhcal {
 namespace {

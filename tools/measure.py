@@ -3,7 +3,7 @@
 
   tools/measure.py [--program build/release/bin/ceres_dhcal] [--repeat 5] [--diagnosis never] [PROBLEM.yaml ...]
 
-Without problems: problems/kr15.yaml, and the UR10 series when DHCAL_DATA is set. Prints the best and
+Without problems: problems/cases/kr15.yaml, and the UR10 series when DHCAL_DATA is set. Prints the best and
 the median of the runs, and the bar of each case where there is one.
 """
 
@@ -39,9 +39,9 @@ def main():
     options = parser.parse_args()
     if not os.access(options.program, os.X_OK):
         sys.exit(f"measure.py: {options.program} is not there; run tools/run.sh first")
-    problems = options.problems or [str(ROOT / "problems/kr15.yaml")]
+    problems = options.problems or [str(ROOT / "problems/cases/kr15.yaml")]
     if not options.problems and os.environ.get("DHCAL_DATA"):
-        problems += [str(ROOT / f"problems/ur10_ipa_{s}.yaml") for s in "ab"]
+        problems += [str(ROOT / f"problems/cases/ur10_ipa_{s}.yaml") for s in "ab"]
 
     print(f"{'problem':<16}{'best [s]':>10}{'median [s]':>12}{'peak [MB]':>11}{'exit':>6}  bar")
     for problem in problems:

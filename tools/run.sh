@@ -7,7 +7,7 @@ usage() {
 usage: tools/run.sh [ceres_dhcal arguments]
 
 Installs what is missing, builds ceres_dhcal and runs
-  ceres_dhcal --problem problems/kr15.yaml [ceres_dhcal arguments]
+  ceres_dhcal --problem problems/cases/kr15.yaml [ceres_dhcal arguments]
 in the current directory. Another case instead: tools/run.sh --problem my_robot.yaml
 TEXT
 }
@@ -20,11 +20,14 @@ fi
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 program="$root/build/release/bin/ceres_dhcal"
 
-bash "$root/tools/setup.sh"
+bash "$root/tools/setup.sh" --run
 echo "run: building $program"
 log="$(mktemp)"
 trap 'rm -f "$log"' EXIT
-if ! (cd "$root" && cmake --preset release) >"$log" 2>&1 ||
+# The program alone, without what only tests need; a folder that has them already keeps them.
+tests=OFF
+grep -qsx 'DHCAL_BUILD_TESTS:BOOL=ON' "$root/build/release/CMakeCache.txt" && tests=ON
+if ! (cd "$root" && cmake --preset release -DDHCAL_BUILD_TESTS="$tests") >"$log" 2>&1 ||
   ! cmake --build "$root/build/release" --target ceres_dhcal -j "$(nproc)"; then
   # What configuring said is of interest only when something went wrong.
   cat "$log" >&2
@@ -33,7 +36,7 @@ if ! (cd "$root" && cmake --preset release) >"$log" 2>&1 ||
 fi
 
 # A problem among the arguments takes the place of the paper's experiment.
-problem=(--problem "$root/problems/kr15.yaml")
+problem=(--problem "$root/problems/cases/kr15.yaml")
 for argument in "$@"; do
   case "$argument" in
     --problem | --problem=* | *.yaml | --help | --version) problem=() ;;

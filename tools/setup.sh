@@ -1,20 +1,35 @@
 #!/usr/bin/env bash
-# Installs the packages of tools/packages.txt that this machine lacks. Quick when it lacks none.
+# Installs the packages that this machine lacks. Quick when it lacks none.
 set -euo pipefail
 
 usage() {
-  echo "usage: tools/setup.sh [--help]"
-  echo "Installs with apt-get what tools/packages.txt lists and this machine lacks."
+  cat <<'TEXT'
+usage: tools/setup.sh [--run] [--list] [--help]
+
+Installs with apt-get what tools/packages.txt and tools/packages_test.txt list and this machine lacks.
+
+  --run   only what building and running the program takes: tools/packages.txt
+  --list  prints the packages' names and installs nothing
+TEXT
 }
 
-case "${1:-}" in
-  "") ;;
-  --help | -h) usage; exit 0 ;;
-  *) usage >&2; exit 2 ;;
-esac
-
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
-mapfile -t wanted < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$here/packages.txt")
+lists=("$here/packages.txt" "$here/packages_test.txt")
+list=no
+for argument in "$@"; do
+  case "$argument" in
+    --run) lists=("$here/packages.txt") ;;
+    --list) list=yes ;;
+    --help | -h) usage; exit 0 ;;
+    *) usage >&2; exit 2 ;;
+  esac
+done
+
+mapfile -t wanted < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "${lists[@]}")
+if [ "$list" = yes ]; then
+  printf '%s\n' "${wanted[@]}"
+  exit 0
+fi
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   echo "setup: this is no Debian system, so nothing was installed. The build needs what Debian calls:"

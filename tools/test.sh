@@ -34,11 +34,15 @@ done
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 jobs="$(nproc)"
-# Real recordings are not part of the repository; the tests that need them skip without.
-if [ -z "${DHCAL_DATA:-}" ] && [ -d ../shared/data ]; then
-  DHCAL_DATA="$(cd ../shared/data && pwd)"
+# Real recordings and other people's cases are not part of the repository, but may lie beside it; the
+# tests that need them skip without.
+if [ -z "${DHCAL_SHARED:-}" ] && [ -d ../shared ]; then
+  DHCAL_SHARED="$(cd ../shared && pwd)"
 fi
-export DHCAL_DATA="${DHCAL_DATA:-}"
+if [ -z "${DHCAL_DATA:-}" ] && [ -d "${DHCAL_SHARED:-}/data" ]; then
+  DHCAL_DATA="$DHCAL_SHARED/data"
+fi
+export DHCAL_DATA="${DHCAL_DATA:-}" DHCAL_SHARED="${DHCAL_SHARED:-}"
 logs="$(mktemp -d)"
 trap 'rm -rf "$logs"' EXIT
 

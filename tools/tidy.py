@@ -47,12 +47,11 @@ def output_of(command):
 
 def environment_fingerprint(tidy):
     """Returns bytes that change with the rules, clang-tidy and the installed packages."""
-    packages = (ROOT / "tools" / "packages.txt").read_text(encoding="utf-8")
-    names = [line.split("#")[0].strip() for line in packages.splitlines()]
+    names = output_of([ROOT / "tools" / "setup.sh", "--list"]).decode().split()
     return b"\n".join([
         (ROOT / ".clang-tidy").read_bytes(),
         output_of([tidy, "--version"]),
-        output_of(["dpkg-query", "-W"] + [name for name in names if name]),
+        output_of(["dpkg-query", "-W"] + names),
     ])
 
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <boost/random/chi_squared_distribution.hpp>
 #include <boost/random/mersenne_twister.hpp>
 #include <glog/logging.h>
@@ -331,17 +330,6 @@ VectorXd BlockTests::Estimate(const BlockModel& model) const {
 double BlockTests::Removed(const BlockModel& model) const {
   const Root root = RootOf(model);
   return (root.F.transpose() * gram_.z(root.columns)).squaredNorm();
-}
-
-double BlockTests::Overlap(int block, int other, const BlockModel& model) const {
-  const Conditioned c = Condition(model);
-  const MatrixXd a = Factor(c, block), b = Factor(c, other);
-  if (a.cols() == 0 || b.cols() == 0) return 0;
-  const MatrixXd cosines = a.transpose() * ConditionalS(c, block, other) * b;
-  return std::sqrt(std::max(0.0,
-                            Eigen::SelfAdjointEigenSolver<MatrixXd>(cosines * cosines.transpose())
-                                .eigenvalues()
-                                .maxCoeff()));
 }
 
 }  // namespace dhcal

@@ -105,10 +105,6 @@ class BlockTests {
   /// Squares that the model's columns remove.
   double Removed(const BlockModel& model) const;
 
-  /// Cosine of the largest angle-sharing direction of two blocks beside the model: 1 = one of them
-  /// can do all that the other does in some direction.
-  double Overlap(int block, int other, const BlockModel& model) const;
-
  private:
   /// F with F F' = pseudo-inverse of S_AA: A the model's columns, soft ones with their precision.
   struct Root {

@@ -45,7 +45,6 @@ class Names {
     if (slot < 0) return -1;
     return slots_.is_joint(slot) ? slot / SlotLayout::kPerJoint : -1;
   }
-  bool is_frame(const std::string& name) const { return joint(name) < 0; }
 
  private:
   SlotLayout slots_;

@@ -29,7 +29,6 @@ class SlotLayout {
 
   constexpr bool is_joint(int slot) const { return slot < kPerJoint * num_joints_; }
   constexpr bool is_base(int slot) const { return !is_joint(slot) && slot < tool(0); }
-  constexpr bool is_tool(int slot) const { return slot >= tool(0); }
 
   /// "x", "y", "z", "rx", "ry", "rz" for a frame's components 0..5.
   static const char* ComponentName(int component);

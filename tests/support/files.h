@@ -6,7 +6,7 @@
 
 namespace dhcal {
 
-/// Path of a file of the repository, "problems/kr15.yaml".
+/// Path of a file of the repository, "problems/cases/kr15.yaml".
 std::string SourcePath(const std::string& relative);
 
 /// Folder of the real recordings (environment variable DHCAL_DATA), or "".

@@ -25,7 +25,7 @@ std::string DataDir() {
 ProblemSpec LoadCase(const std::string& name) {
   Diagnostics diagnostics;
   const auto spec =
-      ReadProblemFile(SourcePath("problems/" + name + ".yaml"), DataDir(), &diagnostics);
+      ReadProblemFile(SourcePath("problems/cases/" + name + ".yaml"), DataDir(), &diagnostics);
   CHECK(spec.has_value()) << diagnostics.ToString();
   return *spec;
 }

@@ -11,7 +11,7 @@
 
 namespace dhcal {
 
-/// The problem of problems/<name>.yaml; the test fails on any input error.
+/// The problem of problems/cases/<name>.yaml; the test fails on any input error.
 ProblemSpec LoadCase(const std::string& name);
 
 /// Its recording, simulated or read.

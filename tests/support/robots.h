@@ -16,9 +16,9 @@ namespace dhcal {
 
 // All have a base and a tool that are shifted and turned, unless WithPlainEnds takes them away.
 
-RobotModel Kr15();          // KUKA KR 15/2, standard rows: problems/kr15.yaml
+RobotModel Kr15();          // KUKA KR 15/2, standard rows: problems/cases/kr15.yaml
 RobotModel Kr15Modified();  // the same robot in modified (Craig's) rows
-RobotModel Ur10();          // Universal Robots UR10: problems/ur10_ipa_a.yaml
+RobotModel Ur10();          // Universal Robots UR10: problems/cases/ur10_ipa_a.yaml
 RobotModel Panda();         // Franka Emika Panda, seven joints, modified rows as its maker prints
 RobotModel Scara();  // two turning joints, a sliding one, a wrist; signs -1 and a Hayati beta
 RobotModel ScaraModified();  // those rows read as modified ones

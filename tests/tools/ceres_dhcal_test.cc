@@ -55,7 +55,7 @@ class Program : public ::testing::Test {
   }
 
   static std::string Case(const std::string& name) {
-    return "--problem '" + SourcePath("problems/" + name + ".yaml") + "' ";
+    return "--problem '" + SourcePath("problems/cases/" + name + ".yaml") + "' ";
   }
 
   void Write(const std::string& name, const std::string& text) const {
@@ -134,7 +134,7 @@ TEST_F(Program, OneBadProblemOfSeveralStopsAllBeforeAnythingIsWritten) {
 }
 
 TEST_F(Program, MoreParametersThanReadingsIsBadInput) {
-  std::string text = ReadAll(SourcePath("problems/kr15.yaml"));
+  std::string text = ReadAll(SourcePath("problems/cases/kr15.yaml"));
   const std::size_t at = text.find("poses: 100");
   Write("few.yaml", text.replace(at, 10, "poses: 7"));
   const Outcome outcome = Run("--problem few.yaml");
@@ -150,7 +150,7 @@ TEST_F(Program, SeveralProblemsGiveASummaryTable) {
 }
 
 TEST_F(Program, ACommaSeparatesProblemsUnlessItIsPartOfAName) {
-  const std::string kr15 = ReadAll(SourcePath("problems/kr15.yaml"));
+  const std::string kr15 = ReadAll(SourcePath("problems/cases/kr15.yaml"));
   Write("a,b.yaml", kr15);
   EXPECT_EQ(Run("--problem a,b.yaml --quiet").exit_status, 0);
   Write("c.yaml", kr15);

@@ -19,9 +19,12 @@ CLEAN = {
     "core/report/text.h": '#pragma once\n#include "core/math/rotation.h"\n',
     "residuals/position.h": '#pragma once\n#include "core/report/text.h"\n',
     "problems/task.cc": '#include "residuals/position.h"\n#include "core/math/rotation.h"\n',
-    "problems/concealed/truth.cc": '#include "core/base/status.h"\n',
     "tools/support/cli.h": '#pragma once\n#include "core/base/status.h"\n',
     "tools/main.cc": '#include "tools/support/cli.h"\n',
+    "tools/proof/simulator/truth.h": '#pragma once\n#include "core/base/status.h"\n',
+    "tools/proof/suite.cc": '#include "tools/proof/simulator/truth.h"\n',
+    "tools/proof/score.h": "#pragma once\n",
+    "tools/study/draws.cc": '#include "residuals/position.h"\n',
     "tests/core/math/rotation_test.cc": '#include "core/math/rotation.h"\n#include <gtest/gtest.h>\n',
     "tests/tools/cli_test.cc": '#include "tools/support/cli.h"\n',
 }
@@ -58,11 +61,20 @@ class CheckLayersTest(unittest.TestCase):
         self.assertEqual(status, 0, output)
         self.assertIn(f"{len(CLEAN)} files keep to the layers", output)
 
-    def test_rejects_a_concealed_simulator_that_shares_code_with_what_it_judges(self):
-        for target in ("core/math/rotation.h", "residuals/position.h"):
-            self.expect_violation(
-                "problems/concealed/truth.cc", f'#include "{target}"\n', "problems/concealed/ may include only"
-            )
+    def test_rejects_a_proof_that_shares_code_with_what_it_judges(self):
+        for name in ("tools/proof/simulator/truth.cc", "tools/proof/score.cc"):
+            for target in ("core/math/rotation.h", "residuals/position.h"):
+                self.expect_violation(name, f'#include "{target}"\n', "may include only tools/proof/")
+
+    def test_rejects_a_simulator_that_knows_how_it_is_scored(self):
+        text = '#include "tools/proof/score.h"\n'
+        rule = "tools/proof/simulator/ may include only tools/proof/simulator/"
+        self.expect_violation("tools/proof/simulator/truth.cc", text, rule)
+
+    def test_rejects_an_include_between_the_rooms_of_tools(self):
+        text = '#include "tools/support/cli.h"\n'
+        rule = "tools/study/ may not include another room of tools"
+        self.expect_violation("tools/study/draws.h", text, "tools/study/draws.h:1:", rule)
 
     def test_rejects_core_that_includes_residuals(self):
         text = '#pragma once\n\n#include "residuals/position.h"\n'

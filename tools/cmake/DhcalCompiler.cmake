@@ -10,10 +10,8 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
 
-# No -march: a binary must run on other machines than its builder's. No -ffast-math: NaN means
-# "not set" here. errno of the math functions is never read. Assertions stay on outside Release.
-set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
-set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g")
+# Release is CMake's own -O3 -DNDEBUG. No -march: a binary must run on other machines than its
+# builder's. No -ffast-math: NaN means "not set" here. errno of the math functions is never read.
 add_compile_options(-fno-math-errno)
 
 add_library(dhcal_warnings INTERFACE)
@@ -48,7 +46,7 @@ endif()
 
 # lld links several times faster than the default linker.
 find_program(DHCAL_LLD ld.lld)
-if(DHCAL_LLD)
+if(DHCAL_LLD AND NOT "${CMAKE_EXE_LINKER_FLAGS} ${CMAKE_CXX_FLAGS}" MATCHES "-fuse-ld=")
   add_link_options(-fuse-ld=lld)
 endif()
 

@@ -16,7 +16,8 @@ set(headers
     <fmt/format.h>)
 
 target_precompile_headers(dhcal_core PRIVATE ${headers})
-foreach(target IN ITEMS dhcal_residuals dhcal_problems dhcal_tools_support)
+foreach(target IN ITEMS dhcal_residuals dhcal_problems dhcal_tools_support dhcal_tools_study
+                      dhcal_tools_transfer dhcal_tools_proof)
   target_precompile_headers(${target} REUSE_FROM dhcal_core)
 endforeach()
 

@@ -5,8 +5,15 @@
 
 include(GoogleTest)
 
-dhcal_library(dhcal_test_support FOLDER tests/support DEPENDS dhcal_tools_support GTest::gmock
-              GTest::gtest)
+dhcal_library(
+  dhcal_test_support
+  FOLDER tests/support
+  DEPENDS dhcal_tools_support
+          dhcal_tools_study
+          dhcal_tools_transfer
+          dhcal_tools_proof
+          GTest::gmock
+          GTest::gtest)
 target_compile_definitions(
   dhcal_test_support PUBLIC DHCAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                             DHCAL_PROGRAM="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/ceres_dhcal")
@@ -47,3 +54,5 @@ endforeach()
 add_test(NAME tools/layers COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tools/check_layers.py")
 add_test(NAME tools/layers_self_test
          COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/check_layers_test.py")
+add_test(NAME tools/build COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/build_test.py"
+                                  "${CMAKE_COMMAND}")

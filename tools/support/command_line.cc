@@ -38,7 +38,7 @@ constexpr char kHelp[] =
   --quiet           print nothing but errors
   --version, --help
 
-Example:  ceres_dhcal --problem problems/kr15.yaml
+Example:  ceres_dhcal --problem problems/cases/kr15.yaml
 
 Exit status: 0 a usable result, 1 no usable result (the report says why), 2 bad input.
 )";

@@ -158,13 +158,5 @@ TEST(BlockTests, LackOfFitShowsNoiseThatIsLargerThanStated) {
   EXPECT_EQ(test.worst, -1);
 }
 
-TEST(BlockTests, OverlapOfABlockWithItsCopyIsOne) {
-  System setup(11);
-  setup.X.col(2) = 3 * setup.X.col(0) + 1e-3 * setup.X.col(5);
-  const BlockTests tests = setup.Tests(Noise(12), true);
-  EXPECT_NEAR(tests.Overlap(0, 1, {}), 1.0, 1e-3);
-  EXPECT_LT(tests.Overlap(0, 6, {}), 0.6);
-}
-
 }  // namespace
 }  // namespace dhcal

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/prediction.h"
-#include "tools/support/study_scenarios.h"
+#include "tools/study/scenarios.h"
 
 namespace dhcal {
 namespace {

@@ -13,7 +13,7 @@
 #include "problems/identify.h"
 #include "tests/support/problem_cases.h"
 #include "tests/support/sanitized.h"
-#include "tools/support/study_scenarios.h"
+#include "tools/study/scenarios.h"
 
 namespace dhcal {
 namespace {

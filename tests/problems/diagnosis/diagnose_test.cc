@@ -15,7 +15,7 @@
 #include "tests/support/recorder.h"
 #include "tests/support/robots.h"
 #include "tests/support/sanitized.h"
-#include "tools/support/study_scenarios.h"
+#include "tools/study/scenarios.h"
 
 namespace dhcal {
 namespace {

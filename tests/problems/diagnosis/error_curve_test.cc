@@ -9,7 +9,7 @@
 #include "core/base/units.h"
 #include "tests/support/problem_cases.h"
 #include "tests/support/sanitized.h"
-#include "tools/support/study_scenarios.h"
+#include "tools/study/scenarios.h"
 
 namespace dhcal {
 namespace {

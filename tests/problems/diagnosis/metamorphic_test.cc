@@ -19,7 +19,7 @@
 #include "tests/support/robots.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temp_file.h"
-#include "tools/support/study_scenarios.h"
+#include "tools/study/scenarios.h"
 
 namespace dhcal {
 namespace {

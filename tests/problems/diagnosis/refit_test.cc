@@ -5,7 +5,7 @@
 
 #include "residuals/registry.h"
 #include "tests/support/problem_cases.h"
-#include "tools/support/study_scenarios.h"
+#include "tools/study/scenarios.h"
 
 namespace dhcal {
 namespace {

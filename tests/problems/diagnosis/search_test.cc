@@ -7,14 +7,14 @@
 
 #include <gtest/gtest.h>
 
-#include "problems/concealed/case_files.h"
-#include "problems/concealed/scenarios.h"
 #include "problems/formats/problem/problem_reader.h"
 #include "problems/formats/recording/recording_reader.h"
 #include "tests/support/problem_cases.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temp_file.h"
-#include "tools/support/study_scenarios.h"
+#include "tools/proof/simulator/case_files.h"
+#include "tools/proof/simulator/scenarios.h"
+#include "tools/study/scenarios.h"
 
 namespace dhcal {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/support/study_scenarios.h"
+#include "tools/study/scenarios.h"
 
 namespace dhcal {
 namespace {

@@ -1,0 +1,83 @@
+// What the built arm does beside rigid motion: mechanisms by their own laws, not by the formulas of
+// the effect library. Zero everywhere = a rigid arm.
+#ifndef DHCAL_TOOLS_PROOF_SIMULATOR_PHYSICS_H_
+#define DHCAL_TOOLS_PROOF_SIMULATOR_PHYSICS_H_
+
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace dhcal::concealed {
+
+/// One joint's drive, from the motor's encoder to the link.
+struct Drive {
+  double compliance = 0;        // [rad/(N m)] of the gear under load
+  double soft_torque = 0;       // [N m] below it the gear is softer (three-region law, first two)
+  double soft_ratio = 1;        // by this factor
+  double play = 0;              // [rad] gap between the flanks
+  double preload = 1e9;         // [N m] gravity beyond this keeps the gear on one flank
+  double windup = 0;            // [rad] left by friction after a long travel
+  double windup_travel = 1e-3;  // [rad] of travel after a reversal that builds it up
+  double gain = 0;              // [rad/rad] wrong ratio
+  std::function<double(double q)> form;  // [rad] any other error as a function of the angle
+};
+
+/// A gear's error once (or `order` times) per turn; at the motor's side the order is its ratio.
+struct GearLine {
+  int joint = 0;  // from 0
+  double order = 1;
+  double amplitude = 0;  // [rad]
+  double phase = 0;      // [rad]
+};
+
+struct Coupling {
+  int joint = 0, driver = 0;  // from 0
+  double ratio = 0;           // [rad/rad]
+};
+
+/// A spring between the column and link 2: acts on joint 2 alone.
+struct Balancer {
+  double stiffness = 0;                          // [N/m]; 0 = none
+  double rest = 0.3, column = 0.6, link = 0.15;  // [m] free length and lever arms
+  double phase = 0.3;                            // [rad]
+};
+
+/// Lumped heat: a source warms the first body, which warms the second, and so on; each grows.
+struct ThermalBody {
+  int link = 0;                                      // from 1; 0 = the base moves instead
+  double strain = 0;                                 // at the end of the warm-up
+  double lag = 0;                                    // [s] of this body behind the one before
+  Eigen::Vector3d motion = Eigen::Vector3d::Zero();  // [m] of the base at the end
+};
+
+struct Step {
+  int joint = 0;  // from 0; -1 = the tool moves
+  int at_row = 0;
+  double angle = 0;                                 // [rad]
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  // [m] in the flange frame
+};
+
+struct Physics {
+  std::vector<Drive> drives;  // one per joint
+  std::vector<GearLine> lines;
+  std::vector<Coupling> couplings;
+  Balancer balancer;
+  std::vector<double> link_flexibility;                       // [1/(N m^2)] 1/EI, one per link
+  Eigen::Vector2d base_compliance = Eigen::Vector2d::Zero();  // [rad/(N m)] about x and y
+  std::vector<ThermalBody> thermal;                           // in the order of the heat
+  std::vector<Step> steps;
+  double latency = 0;                              // [s]
+  Eigen::Vector3d sway = Eigen::Vector3d::Zero();  // [m] the floor swings
+  double sway_period = 900;                        // [s]
+  /// [rad] what other joints' angles do to a joint, beyond couplings.
+  std::function<double(int joint, const Eigen::VectorXd& q)> cross;
+
+  explicit Physics(int num_joints = 0)
+      : drives(static_cast<std::size_t>(num_joints)),
+        link_flexibility(static_cast<std::size_t>(num_joints), 0.0) {}
+};
+
+}  // namespace dhcal::concealed
+
+#endif  // DHCAL_TOOLS_PROOF_SIMULATOR_PHYSICS_H_

@@ -1,0 +1,30 @@
+// The scenarios D1 to D23 (physics.md D.3; those of the ruler's own faults excepted) and more
+// decoys, as trials.
+#ifndef DHCAL_TOOLS_PROOF_SIMULATOR_SCENARIOS_H_
+#define DHCAL_TOOLS_PROOF_SIMULATOR_SCENARIOS_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tools/proof/simulator/trial.h"
+
+namespace dhcal::concealed {
+
+struct Scenario {
+  std::string name;   // "D4"
+  std::string story;  // one line
+  Group group = Group::kSingle;
+  bool quick = false;  // one of its trials belongs to the quick suite
+  int most_seeds = 1000;
+  void (*set_up)(Trial*, Rng*) = nullptr;
+};
+
+const std::vector<Scenario>& AllScenarios();
+
+/// A trial of a scenario: the robot goes with the seed (KR 15, UR10, small arm in turn).
+Trial MakeTrial(const Scenario& scenario, int seed);
+
+}  // namespace dhcal::concealed
+
+#endif  // DHCAL_TOOLS_PROOF_SIMULATOR_SCENARIOS_H_

@@ -1,0 +1,22 @@
+// The true positions of the tool point: every mechanism in the order in which it acts.
+#ifndef DHCAL_TOOLS_PROOF_SIMULATOR_TRUTH_H_
+#define DHCAL_TOOLS_PROOF_SIMULATOR_TRUTH_H_
+
+#include <Eigen/Core>
+
+#include "tools/proof/simulator/arm.h"
+#include "tools/proof/simulator/motion.h"
+#include "tools/proof/simulator/physics.h"
+
+namespace dhcal::concealed {
+
+/// Positions [m] (poses x 3) in the measurement frame. The poses are taken in their order: play and
+/// friction remember where the joints came from; a new run forgets.
+Eigen::MatrixXd TruePositions(const Arm& built, const Physics& physics, const Motion& motion);
+
+/// [rad] what friction and play add to each joint (poses x joints).
+Eigen::MatrixXd LostMotion(const Arm& built, const Physics& physics, const Motion& motion);
+
+}  // namespace dhcal::concealed
+
+#endif  // DHCAL_TOOLS_PROOF_SIMULATOR_TRUTH_H_

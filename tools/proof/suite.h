@@ -1,0 +1,54 @@
+// The concealed suite as a folder: makes its cases, runs the program on them, opens the seals.
+//
+//   cases/<name>/problem.yaml, recording.csv    what the program gets
+//   sealed/<name>.json                          the answer; its hash is in problem.yaml
+//   results/<name>/                             what the program wrote
+//   oracle/<name>/                              the same fit, told the truth
+//   logs/<name>.txt                             what the program printed
+//
+// What is there already is kept, so that a run that was stopped goes on; a program that changed
+// since is run anew.
+#ifndef DHCAL_TOOLS_PROOF_SUITE_H_
+#define DHCAL_TOOLS_PROOF_SUITE_H_
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tools/proof/score.h"
+
+namespace dhcal {
+
+/// Writes a file whole or not at all, with its folder: a stopped run leaves no half file. Throws
+/// std::runtime_error when it cannot.
+void WriteWhole(const std::filesystem::path& file, const std::string& text);
+
+struct ProofOptions {
+  std::filesystem::path folder;
+  std::filesystem::path program;  // ceres_dhcal
+  std::vector<std::string> only;  // scenarios; empty = all
+  int seeds = 20;
+  bool quick = false;  // one seed of the quick scenarios
+  int jobs = 1;
+};
+
+struct ProofCase {
+  std::string scenario;
+  int seed = 1;
+};
+
+/// The cases of a suite. An unknown scenario in `only` is not among them.
+std::vector<ProofCase> CasesOf(const ProofOptions& options);
+
+/// Names of scenarios that do not exist.
+std::vector<std::string> UnknownScenarios(const ProofOptions& options);
+
+/// Makes, runs and scores all cases; `say` gets the number of those done. A case that cannot be
+/// scored says why in `failure`.
+std::vector<ProofScore> RunProof(const ProofOptions& options,
+                                 const std::function<void(int done, int all)>& say);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_TOOLS_PROOF_SUITE_H_
