@@ -18,7 +18,7 @@ Scope ScopeOf(const Calibration& c, int run, int target) {
   Scope scope;
   scope.ends = c.frames.ends(run, target);
   for (std::size_t k = 0; k < c.parameters.size(); ++k) {
-    if (!InScope(c.parameters[k], run, target)) continue;
+    if (!c.parameters[k].scope.Holds(run, target)) continue;
     scope.parameters.push_back(static_cast<int>(k));
     scope.slots.push_back(c.parameters[k].slot);
   }

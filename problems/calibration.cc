@@ -96,7 +96,7 @@ Eigen::VectorXd Calibration::SlotDeltas(const Eigen::VectorXd& state, int row_id
   const int run = recording.run(row_idx), target = Target(row_idx);
   Eigen::VectorXd delta = Eigen::VectorXd::Zero(chain.slots().size());
   for (std::size_t k = 0; k < parameters.size(); ++k) {
-    if (!InScope(parameters[k], run, target)) continue;
+    if (!parameters[k].scope.Holds(run, target)) continue;
     const double value = state[static_cast<Eigen::Index>(k)];
     if (parameters[k].effect_column < 0) {
       delta[parameters[k].slot] += value;
@@ -123,11 +123,6 @@ Eigen::Isometry3d Calibration::Pose(const Eigen::VectorXd& state, int row_idx) c
   return chain.Pose<double>(recording.q.row(row_idx).transpose(),
                             SlotDeltas(state, row_idx),
                             frames.ends(recording.run(row_idx), Target(row_idx)));
-}
-
-bool InScope(const Parameter& parameter, int run, int target) {
-  return (parameter.run < 0 || parameter.run == run) &&
-         (parameter.target < 0 || parameter.target == target);
 }
 
 }  // namespace dhcal

@@ -60,9 +60,6 @@ struct Calibration {
   Eigen::Isometry3d Pose(const Eigen::VectorXd& state, int row_idx) const;
 };
 
-/// True if a parameter acts on rows of this run and target.
-bool InScope(const Parameter& parameter, int run, int target);
-
 }  // namespace dhcal
 
 #endif  // DHCAL_PROBLEMS_CALIBRATION_H_

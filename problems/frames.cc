@@ -55,9 +55,9 @@ void Frames::Apply(const std::vector<Parameter>& parameters,
     const Parameter& p = parameters[k];
     const double value = state[static_cast<Eigen::Index>(k)];
     if (p.group == ParameterGroup::kBase) {
-      base_delta[BaseIndex(std::max(p.run, 0))][p.slot - slots.base(0)] = value;
+      base_delta[BaseIndex(p.scope.run())][p.slot - slots.base(0)] = value;
     } else if (p.group == ParameterGroup::kTool) {
-      const std::size_t idx = ToolIndex(std::max(p.run, 0), std::max(p.target, 0));
+      const std::size_t idx = ToolIndex(p.scope.run(), p.scope.target());
       tool_delta[idx][p.slot - slots.tool(0)] = value;
     }
   }

@@ -8,16 +8,10 @@
 #include "core/analysis/null_space.h"
 #include "core/base/units.h"
 #include "core/kinematics/slots.h"
+#include "core/model/joint_numbers.h"
 
 namespace dhcal {
 namespace {
-
-const std::vector<std::pair<ParameterGroup, JointSlot>> kJointGroups = {
-    {ParameterGroup::kTheta, JointSlot::kTheta},
-    {ParameterGroup::kAlpha, JointSlot::kAlpha},
-    {ParameterGroup::kA, JointSlot::kA},
-    {ParameterGroup::kD, JointSlot::kD},
-    {ParameterGroup::kBeta, JointSlot::kBeta}};
 
 Parameter MakeParameter(const SlotLayout& slots, int slot, ParameterGroup group) {
   Parameter parameter;
@@ -33,7 +27,7 @@ void AddFrame(const SlotLayout& slots,
               int first_slot,
               ParameterGroup group,
               const std::vector<std::string>& suffixes,
-              int Parameter::*scope,
+              ParameterScope::Kind scope,
               std::vector<Parameter>* all) {
   // No suffix: one frame for all rows.
   const std::size_t count = std::max<std::size_t>(suffixes.size(), 1);
@@ -42,7 +36,7 @@ void AddFrame(const SlotLayout& slots,
       Parameter parameter = MakeParameter(slots, first_slot + component, group);
       if (!suffixes.empty()) {
         parameter.name += "." + suffixes[copy];
-        parameter.*scope = static_cast<int>(copy);
+        parameter.scope = {scope, static_cast<int>(copy)};
       }
       all->push_back(parameter);
     }
@@ -52,9 +46,9 @@ void AddFrame(const SlotLayout& slots,
 std::vector<Parameter> AllParameters(const RobotModel& robot, const Recording& recording) {
   const SlotLayout slots(robot.num_joints());
   std::vector<Parameter> all;
-  for (const auto& [group, slot] : kJointGroups) {
+  for (const JointNumber& number : kJointNumbers) {
     for (int joint = 0; joint < robot.num_joints(); ++joint) {
-      all.push_back(MakeParameter(slots, slots.joint(joint, slot), group));
+      all.push_back(MakeParameter(slots, slots.joint(joint, number.slot), number.group));
     }
   }
   const std::vector<std::string> runs =
@@ -63,14 +57,15 @@ std::vector<Parameter> AllParameters(const RobotModel& robot, const Recording& r
            slots.base(0),
            ParameterGroup::kBase,
            robot.base_per_run ? runs : std::vector<std::string>(),
-           &Parameter::run,
+           ParameterScope::Kind::kRun,
            &all);
   std::vector<std::string> targets;
   for (const Target& target : robot.targets) targets.push_back(target.name);
   if (robot.tool_per_run) {
-    AddFrame(slots, slots.tool(0), ParameterGroup::kTool, runs, &Parameter::run, &all);
+    AddFrame(slots, slots.tool(0), ParameterGroup::kTool, runs, ParameterScope::Kind::kRun, &all);
   } else {
-    AddFrame(slots, slots.tool(0), ParameterGroup::kTool, targets, &Parameter::target, &all);
+    AddFrame(
+        slots, slots.tool(0), ParameterGroup::kTool, targets, ParameterScope::Kind::kTarget, &all);
   }
   return all;
 }
@@ -90,7 +85,7 @@ bool IsListed(const std::vector<std::string>& entries,
     if (Names(entry, parameter)) return true;
     if (entry != "complete") continue;
     if (parameter.group != ParameterGroup::kBeta) return true;
-    const int joint = parameter.slot / SlotLayout::kPerJoint;
+    const int joint = SlotLayout::JointOf(parameter.slot);
     if (std::find(needs_beta.begin(), needs_beta.end(), joint) != needs_beta.end()) return true;
   }
   return false;
@@ -113,23 +108,10 @@ void SetPrior(const std::map<std::string, double>& priors, Parameter* parameter)
 }  // namespace
 
 double DefaultTolerance(ParameterGroup group, Unit unit) {
-  switch (group) {
-    case ParameterGroup::kTheta:
-      return 3 * kMilliradian;  // mastering
-    case ParameterGroup::kAlpha:
-    case ParameterGroup::kBeta:
-      return 1 * kMilliradian;  // machining of a casting
-    case ParameterGroup::kA:
-    case ParameterGroup::kD:
-      return 0.5 * kMillimetre;
-    case ParameterGroup::kBase:
-    case ParameterGroup::kTool:
-      // After the closed-form alignment; what set-up leaves is found from the readings.
-      return unit == Unit::kMetre ? 5 * kMillimetre : 5 * kMilliradian;
-    case ParameterGroup::kEffect:
-      return 0;  // its own, EffectParameter
-  }
-  return 0;
+  if (const JointNumber* const number = NumberOf(group)) return number->tolerance;
+  if (group == ParameterGroup::kEffect) return 0;  // its own, EffectParameter
+  // Base and tool: after the closed-form alignment; what set-up leaves is found from the readings.
+  return unit == Unit::kMetre ? 5 * kMillimetre : 5 * kMilliradian;
 }
 
 double CorrectionLimit(const Parameter& parameter) {
@@ -175,7 +157,7 @@ ParameterSet ResolveParameters(const ProblemSpec& spec, const Recording& recordi
                            !IsListed(spec.parameters.fix, needs_beta, parameter);
     // A beta that nobody asked for is no part of a plain DH row: not worth a line in the report.
     if (!estimated && parameter.group == ParameterGroup::kBeta &&
-        spec.robot.joints[static_cast<std::size_t>(parameter.slot / SlotLayout::kPerJoint)].beta ==
+        spec.robot.joints[static_cast<std::size_t>(SlotLayout::JointOf(parameter.slot))].beta ==
             0) {
       continue;
     }

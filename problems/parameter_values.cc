@@ -1,36 +1,20 @@
 #include "problems/parameter_values.h"
 
-#include <algorithm>
-
-#include <glog/logging.h>
-
 #include "core/kinematics/slots.h"
 #include "core/math/rotation.h"
+#include "core/model/joint_numbers.h"
 
 namespace dhcal {
 namespace {
 
-double& RowEntry(JointSlot kind, JointRow* row) {
-  switch (kind) {
-    case JointSlot::kTheta:
-      return row->theta;
-    case JointSlot::kD:
-      return row->d;
-    case JointSlot::kA:
-      return row->a;
-    case JointSlot::kAlpha:
-      return row->alpha;
-    case JointSlot::kBeta:
-      return row->beta;
-  }
-  LOG(FATAL) << "no such slot";
+/// The number of a row that a parameter corrects.
+double JointRow::*NumberOfRow(const Parameter& p) {
+  return NumberOf(SlotLayout::NumberAt(p.slot)).value;
 }
 
-JointSlot KindOf(int slot) { return static_cast<JointSlot>(slot % SlotLayout::kPerJoint); }
-
 const Eigen::Isometry3d& FrameOf(const Frames& frames, const Parameter& p) {
-  const int run = std::max(p.run, 0), target = std::max(p.target, 0);
-  return p.group == ParameterGroup::kBase ? frames.base(run) : frames.tool(run, target);
+  return p.group == ParameterGroup::kBase ? frames.base(p.scope.run())
+                                          : frames.tool(p.scope.run(), p.scope.target());
 }
 
 int Component(const RobotModel& robot, const Parameter& p) {
@@ -49,8 +33,8 @@ RobotModel CalibratedRobot(const Calibration& c, const Eigen::VectorXd& state) {
   for (std::size_t k = 0; k < c.parameters.size(); ++k) {
     const Parameter& p = c.parameters[k];
     if (IsFrame(p) || p.effect_column >= 0) continue;
-    JointRow& row = robot.joints[static_cast<std::size_t>(p.slot / SlotLayout::kPerJoint)];
-    RowEntry(KindOf(p.slot), &row) += state[static_cast<Eigen::Index>(k)];
+    JointRow& row = robot.joints[static_cast<std::size_t>(SlotLayout::JointOf(p.slot))];
+    row.*NumberOfRow(p) += state[static_cast<Eigen::Index>(k)];
   }
   Frames frames = c.frames;
   frames.Apply(c.parameters, state, c.chain.slots());
@@ -61,8 +45,7 @@ RobotModel CalibratedRobot(const Calibration& c, const Eigen::VectorXd& state) {
 double ValueIn(const RobotModel& robot, const Frames& frames, const Parameter& p) {
   if (p.effect_column >= 0) return 0;
   if (!IsFrame(p)) {
-    JointRow row = robot.joints[static_cast<std::size_t>(p.slot / SlotLayout::kPerJoint)];
-    return RowEntry(KindOf(p.slot), &row);
+    return robot.joints[static_cast<std::size_t>(SlotLayout::JointOf(p.slot))].*NumberOfRow(p);
   }
   const Eigen::Isometry3d& X = FrameOf(frames, p);
   const int component = Component(robot, p);

@@ -11,6 +11,7 @@
 
 #include "core/base/rng.h"
 #include "core/kinematics/dh_chain.h"
+#include "core/model/joint_numbers.h"
 #include "core/physics/registry.h"
 #include "problems/formats/recording/recording_reader.h"
 #include "residuals/registry.h"
@@ -120,25 +121,17 @@ std::optional<Eigen::MatrixXd> EffectSlots(const ProblemSpec& spec,
   return delta;
 }
 
-void Add(const Eigen::VectorXd& errors,
-         JointSlot kind,
-         const SlotLayout& slots,
-         Eigen::VectorXd* delta) {
-  for (int joint = 0; joint < errors.size(); ++joint) {
-    (*delta)[slots.joint(joint, kind)] = errors[joint];
-  }
-}
-
 }  // namespace
 
 Eigen::VectorXd ErrorSlots(const RobotModel& robot, const SimulationSpec& simulation) {
   const SlotLayout slots(robot.num_joints());
   Eigen::VectorXd delta = Eigen::VectorXd::Zero(slots.size());
-  Add(simulation.theta, JointSlot::kTheta, slots, &delta);
-  Add(simulation.alpha, JointSlot::kAlpha, slots, &delta);
-  Add(simulation.a, JointSlot::kA, slots, &delta);
-  Add(simulation.d, JointSlot::kD, slots, &delta);
-  Add(simulation.beta, JointSlot::kBeta, slots, &delta);
+  for (const JointNumber& number : kJointNumbers) {
+    const Eigen::VectorXd& errors = simulation.row_errors(number.slot);
+    for (int joint = 0; joint < errors.size(); ++joint) {
+      delta[slots.joint(joint, number.slot)] = errors[joint];
+    }
+  }
   if (simulation.base.size() > 0) delta.segment<6>(slots.base(0)) = simulation.base;
   if (simulation.tool.size() > 0) delta.segment<6>(slots.tool(0)) = simulation.tool;
   return delta;

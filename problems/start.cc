@@ -20,7 +20,7 @@ Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& M) {
 /// All six parameters of the group are free for this run and target, and none has a prior.
 bool IsFree(const Calibration& c, ParameterGroup group, int run, int target) {
   const auto free = [&](const Parameter& p) {
-    return p.group == group && InScope(p, run, target) && !p.prior_sigma;
+    return p.group == group && p.scope.Holds(run, target) && !p.prior_sigma;
   };
   return std::count_if(c.parameters.begin(), c.parameters.end(), free) == SlotLayout::kPerFrame;
 }

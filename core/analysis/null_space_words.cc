@@ -43,7 +43,7 @@ class Names {
   int joint(const std::string& name) const {
     const int slot = at(name).slot;
     if (slot < 0) return -1;
-    return slots_.is_joint(slot) ? slot / SlotLayout::kPerJoint : -1;
+    return slots_.is_joint(slot) ? SlotLayout::JointOf(slot) : -1;
   }
 
  private:
@@ -130,7 +130,7 @@ struct PointMove {
 std::vector<Eigen::Isometry3d> Tools(const RobotModel& robot, const Parameter& parameter) {
   std::vector<Eigen::Isometry3d> tools;
   for (std::size_t k = 0; k < robot.targets.size(); ++k) {
-    if (parameter.target >= 0 && parameter.target != static_cast<int>(k)) continue;
+    if (!parameter.scope.Holds(parameter.scope.run(), static_cast<int>(k))) continue;
     tools.push_back(robot.targets[k].X_TQ);
   }
   for (const RunFrame& frame : robot.tool_of_run) tools.push_back(frame.X);

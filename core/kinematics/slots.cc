@@ -5,8 +5,6 @@
 namespace dhcal {
 namespace {
 
-constexpr std::array<const char*, SlotLayout::kPerJoint> kJointNames = {
-    "theta", "d", "a", "alpha", "beta"};
 constexpr std::array<const char*, SlotLayout::kPerFrame> kComponentNames = {
     "x", "y", "z", "rx", "ry", "rz"};
 
@@ -18,8 +16,7 @@ const char* SlotLayout::ComponentName(int component) {
 
 std::string SlotLayout::Name(int slot) const {
   if (is_joint(slot)) {
-    return kJointNames[static_cast<std::size_t>(slot % kPerJoint)] +
-           std::to_string(slot / kPerJoint + 1);
+    return NumberOf(NumberAt(slot)).name + std::to_string(JointOf(slot) + 1);
   }
   const bool of_base = is_base(slot);
   return std::string(of_base ? "base_" : "tool_") +
@@ -27,10 +24,7 @@ std::string SlotLayout::Name(int slot) const {
 }
 
 bool SlotLayout::is_angle(int slot) const {
-  if (is_joint(slot)) {
-    const auto kind = static_cast<JointSlot>(slot % kPerJoint);
-    return kind != JointSlot::kD && kind != JointSlot::kA;
-  }
+  if (is_joint(slot)) return NumberOf(NumberAt(slot)).unit == Unit::kRadian;
   return slot - (is_base(slot) ? base(0) : tool(0)) >= 3;
 }
 

@@ -4,14 +4,14 @@
 
 #include <string>
 
-namespace dhcal {
+#include "core/model/joint_numbers.h"
 
-enum class JointSlot { kTheta = 0, kD = 1, kA = 2, kAlpha = 3, kBeta = 4 };
+namespace dhcal {
 
 /// Indices of the slots of a chain of n joints: five per joint, six of the base, six of the tool.
 class SlotLayout {
  public:
-  static constexpr int kPerJoint = 5;
+  static constexpr int kPerJoint = static_cast<int>(kNumJointNumbers);
   static constexpr int kPerFrame = 6;  // x y z [m], rotation vector x y z [rad]
 
   explicit constexpr SlotLayout(int num_joints) : num_joints_(num_joints) {}
@@ -26,6 +26,10 @@ class SlotLayout {
   /// component 0..5.
   constexpr int base(int component) const { return kPerJoint * num_joints_ + component; }
   constexpr int tool(int component) const { return base(kPerFrame) + component; }
+
+  /// The joint (from 0) and the number of its row that a joint slot is.
+  static constexpr int JointOf(int slot) { return slot / kPerJoint; }
+  static constexpr JointSlot NumberAt(int slot) { return static_cast<JointSlot>(slot % kPerJoint); }
 
   constexpr bool is_joint(int slot) const { return slot < kPerJoint * num_joints_; }
   constexpr bool is_base(int slot) const { return !is_joint(slot) && slot < tool(0); }

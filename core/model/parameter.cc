@@ -1,19 +1,17 @@
 #include "core/model/parameter.h"
 
+#include "core/model/joint_numbers.h"
+
 namespace dhcal {
 
 const char* ToString(ParameterGroup group) {
   switch (group) {
     case ParameterGroup::kTheta:
-      return "theta";
     case ParameterGroup::kAlpha:
-      return "alpha";
     case ParameterGroup::kA:
-      return "a";
     case ParameterGroup::kD:
-      return "d";
     case ParameterGroup::kBeta:
-      return "beta";
+      return NumberOf(group)->name;
     case ParameterGroup::kBase:
       return "base";
     case ParameterGroup::kTool:

@@ -18,6 +18,22 @@ enum class Unit { kRadian, kMetre, kOther };
 /// "rad" or "m"; "" for kOther.
 const char* ToString(Unit unit);
 
+/// The rows that a parameter acts on: all, or those of one run or of one target.
+struct ParameterScope {
+  enum class Kind { kAll, kRun, kTarget };
+
+  Kind kind = Kind::kAll;
+  int index = 0;  // of the recording's runs, or of the robot's targets
+
+  bool Holds(int row_run, int row_target) const {
+    if (kind == Kind::kRun) return index == row_run;
+    return kind == Kind::kAll || index == row_target;
+  }
+  /// One run, or target, that it acts on.
+  int run() const { return kind == Kind::kRun ? index : 0; }
+  int target() const { return kind == Kind::kTarget ? index : 0; }
+};
+
 /// One unknown. A geometric freedom is a constant added to one slot of the chain
 /// (core/kinematics/slots.h), for all rows or only for the rows of one run or target. A parameter
 /// of a physical effect (core/physics/effect.h) adds to slots by its weights of each row.
@@ -26,8 +42,7 @@ struct Parameter {
   ParameterGroup group = ParameterGroup::kTheta;
   Unit unit = Unit::kRadian;
   int slot = -1;
-  int run = -1;                       // >= 0: only rows of this run
-  int target = -1;                    // >= 0: only rows of this target
+  ParameterScope scope;
   int effect_column = -1;             // >= 0: an effect's; index into the calibration's columns
   std::string unit_text;              // of an effect's parameter, SI
   double tolerance = 0;               // what manufacture or set-up leaves open, one sigma, SI

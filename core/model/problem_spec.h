@@ -2,6 +2,7 @@
 #ifndef DHCAL_CORE_MODEL_PROBLEM_SPEC_H_
 #define DHCAL_CORE_MODEL_PROBLEM_SPEC_H_
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "core/base/diagnostics.h"
 #include "core/model/effect_request.h"
+#include "core/model/joint_numbers.h"
 #include "core/model/measurement_kind.h"
 #include "core/model/robot.h"
 
@@ -72,8 +74,12 @@ struct MotionSpec {
 /// A recording made from the nominal robot plus known errors.
 struct SimulationSpec {
   MotionSpec motion;
-  // Errors added to the nominal rows, length n or empty: theta, alpha, a, d, beta.
-  Eigen::VectorXd theta, alpha, a, d, beta;
+  /// Errors added to the nominal rows, per number of a row (JointSlot): length n, or empty.
+  std::array<Eigen::VectorXd, kNumJointNumbers> rows;
+  Eigen::VectorXd& row_errors(JointSlot slot) { return rows[static_cast<std::size_t>(slot)]; }
+  const Eigen::VectorXd& row_errors(JointSlot slot) const {
+    return rows[static_cast<std::size_t>(slot)];
+  }
   Eigen::VectorXd base, tool;          // 6 or empty: x y z [m], rx ry rz [rad]
   std::vector<EffectRequest> effects;  // with values
   double noise = 0;                    // [m]

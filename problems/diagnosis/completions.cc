@@ -31,7 +31,7 @@ std::vector<Completion> MissingCompletions(const Calibration& user, const Calibr
     if (p.group != ParameterGroup::kBeta) continue;
     Completion tilt;
     tilt.request.effect = "axis_tilt";
-    tilt.request.joint = p.slot / SlotLayout::kPerJoint + 1;
+    tilt.request.joint = SlotLayout::JointOf(p.slot) + 1;
     tilt.parameters.push_back(p);
     completions.push_back(tilt);
   }

@@ -196,7 +196,7 @@ Eigen::MatrixXd DesignRows::Geometry(const std::vector<Parameter>& parameters) c
     }
     Eigen::VectorXd weight(c_.recording.num_rows());
     for (int row = 0; row < c_.recording.num_rows(); ++row) {
-      weight[row] = InScope(parameter, c_.recording.run(row), c_.Target(row)) ? 1.0 : 0.0;
+      weight[row] = parameter.scope.Holds(c_.recording.run(row), c_.Target(row)) ? 1.0 : 0.0;
     }
     J.col(k) = Column({{parameter.slot, weight}});
   }

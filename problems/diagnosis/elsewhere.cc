@@ -119,7 +119,7 @@ MatrixXd Elsewhere::Moves(const EffectRequest& request,
         }
       }
       for (std::size_t g = 0; g < geometry_.size(); ++g) {
-        if (!InScope(geometry_[g], 0, 0)) continue;
+        if (!geometry_[g].scope.Holds(0, 0)) continue;
         move -= pose.J_p.col(geometry_[g].slot) *
                 absorbed(static_cast<Index>(g), static_cast<Index>(k));
       }
@@ -183,7 +183,7 @@ Elsewhere::Split Elsewhere::PosesThatSplit(int one, int other) const {
       c_.chain.PoseAndDerivatives(
           poses.q.row(row).transpose(), c_.SlotDeltas(state_, 0), c_.frames.ends(0, 0), &pose);
       for (std::size_t g = 0; g < geometry_.size(); ++g) {
-        if (!InScope(geometry_[g], 0, 0)) continue;
+        if (!geometry_[g].scope.Holds(0, 0)) continue;
         moved.segment<3>(3 * row) -=
             pose.J_p.col(geometry_[g].slot) * absorbed(static_cast<Index>(g), 0);
       }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/model/joint_numbers.h"
 #include "problems/noise.h"
 #include "problems/parameter_set.h"
 #include "problems/start.h"
@@ -11,11 +12,7 @@
 namespace dhcal {
 namespace {
 
-bool IsRowDimension(const Parameter& p) {
-  return p.group == ParameterGroup::kTheta || p.group == ParameterGroup::kAlpha ||
-         p.group == ParameterGroup::kA || p.group == ParameterGroup::kD ||
-         p.group == ParameterGroup::kBeta;
-}
+bool IsRowDimension(const Parameter& p) { return NumberOf(p.group) != nullptr; }
 
 ProblemSpec HeldSpec(const ProblemSpec& user, const Noise& noise) {
   ProblemSpec spec = user;
@@ -74,17 +71,10 @@ double Penalty(const HeldFit& fit) {
 }
 
 bool RowsPlausible(const RobotModel& nominal, const RobotModel& calibrated) {
-  const auto beyond = [](double change, ParameterGroup group, Unit unit) {
-    return std::abs(change) > kPlausibleTolerances * DefaultTolerance(group, unit);
-  };
   for (std::size_t k = 0; k < nominal.joints.size() && k < calibrated.joints.size(); ++k) {
-    const JointRow &from = nominal.joints[k], &to = calibrated.joints[k];
-    if (beyond(to.theta - from.theta, ParameterGroup::kTheta, Unit::kRadian) ||
-        beyond(to.alpha - from.alpha, ParameterGroup::kAlpha, Unit::kRadian) ||
-        beyond(to.beta - from.beta, ParameterGroup::kBeta, Unit::kRadian) ||
-        beyond(to.a - from.a, ParameterGroup::kA, Unit::kMetre) ||
-        beyond(to.d - from.d, ParameterGroup::kD, Unit::kMetre)) {
-      return false;
+    for (const JointNumber& number : kJointNumbers) {
+      const double change = calibrated.joints[k].*number.value - nominal.joints[k].*number.value;
+      if (std::abs(change) > kPlausibleTolerances * number.tolerance) return false;
     }
   }
   return true;

@@ -87,7 +87,7 @@ TEST(Kr15, RunOnEveryDeterminedDirectionIsExact) {
   // The path along which theta6 is hidden is curved: 2.6e-4 rad along it leave the straight null
   // direction by 6e-12.
   ExpectExactWhereDetermined(DeviationAlongDirections(spec, SolverMethod::kSvdGaussNewton), 1e-8);
-  spec.simulate->theta[5] = 0;
+  spec.simulate->row_errors(JointSlot::kTheta)[5] = 0;
   ExpectExactWhereDetermined(DeviationAlongDirections(spec, SolverMethod::kSvdGaussNewton), 1e-9);
 }
 

@@ -15,6 +15,7 @@
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/math/rotation.h"
+#include "core/model/joint_numbers.h"
 #include "problems/formats/result/result_writer.h"
 
 namespace dhcal {
@@ -66,12 +67,19 @@ YAML::Node Without(const std::set<std::string>& stems, const YAML::Node& map) {
 }
 
 YAML::Node JointNode(const JointRow& joint, const YAML::Node& old) {
-  YAML::Node node = Without({"theta", "d", "a", "alpha", "beta"}, old);
-  node["theta_deg"] = Digits(DegreesOf(joint.theta));
-  node["d_m"] = Digits(joint.d);
-  node["a_m"] = Digits(joint.a);
-  node["alpha_deg"] = Digits(DegreesOf(joint.alpha));
-  if (joint.beta != 0) node["beta_deg"] = Digits(DegreesOf(joint.beta));
+  std::set<std::string> stems;
+  for (const JointNumber& number : kJointNumbers) stems.insert(number.name);
+  YAML::Node node = Without(stems, old);
+  // In the order that a row is usually written in: theta, d, a, alpha.
+  for (std::size_t slot = 0; slot < kNumJointNumbers; ++slot) {
+    const JointNumber& number = NumberOf(static_cast<JointSlot>(slot));
+    const double value = joint.*number.value;
+    // A plain DH row has no beta.
+    if (number.slot == JointSlot::kBeta && value == 0) continue;
+    const bool angle = number.unit == Unit::kRadian;
+    node[number.name + std::string(angle ? "_deg" : "_m")] =
+        Digits(angle ? DegreesOf(value) : value);
+  }
   return node;
 }
 

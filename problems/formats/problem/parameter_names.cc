@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/base/text.h"
+#include "core/model/joint_numbers.h"
 
 namespace dhcal {
 
@@ -17,11 +18,14 @@ struct NamedKind {
 };
 
 const std::vector<NamedKind>& RowGroups() {
-  static const std::vector<NamedKind> groups = {{"theta", NameKind::kAngle},
-                                                {"alpha", NameKind::kAngle},
-                                                {"a", NameKind::kLength},
-                                                {"d", NameKind::kLength},
-                                                {"beta", NameKind::kAngle}};
+  static const std::vector<NamedKind> groups = [] {
+    std::vector<NamedKind> all;
+    for (const JointNumber& number : kJointNumbers) {
+      all.push_back(
+          {number.name, number.unit == Unit::kRadian ? NameKind::kAngle : NameKind::kLength});
+    }
+    return all;
+  }();
   return groups;
 }
 
@@ -51,8 +55,8 @@ std::vector<std::string> AllNames(const RobotModel& robot) {
   return names;
 }
 
-/// "theta12" -> 12 when the stem is "theta"; nothing when the rest is no number.
-std::optional<std::int64_t> JointNumber(const std::string& name, const std::string& stem) {
+/// "theta12" -> 12 after the stem "theta"; nothing when the rest is no number.
+std::optional<std::int64_t> NumberAfter(const std::string& name, const std::string& stem) {
   if (!StartsWith(name, stem) || name.size() == stem.size()) return std::nullopt;
   const std::string digits = name.substr(stem.size());
   const bool plain = digits.find_first_not_of("0123456789") == std::string::npos;
@@ -101,7 +105,7 @@ std::optional<NameKind> ClassifyParameterName(const std::string& name,
   if (name == "base" || name == "tool") return NameKind::kLengthsAndAngles;
   for (const NamedKind& group : RowGroups()) {
     if (name == group.name) return group.kind;
-    const std::optional<std::int64_t> joint = JointNumber(name, group.name);
+    const std::optional<std::int64_t> joint = NumberAfter(name, group.name);
     if (!joint) continue;
     // A robot whose joints could not be read has its own error already.
     const int num_joints = robot.num_joints();

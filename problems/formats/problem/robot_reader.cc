@@ -11,6 +11,7 @@
 
 #include "core/base/units.h"
 #include "core/io/yaml_map.h"
+#include "core/model/joint_numbers.h"
 #include "problems/formats/problem/pose_reader.h"
 
 namespace dhcal {
@@ -76,11 +77,14 @@ JointRow ReadJoint(const YamlValue& value, int joint_idx, const DhUnits& units) 
       "type",
       {{"revolute", JointType::kRevolute}, {"prismatic", JointType::kPrismatic}},
       &row.type);
-  ReadDhEntry(&map, "theta", units.angle, kUnusualAngle, &row.theta);
-  ReadDhEntry(&map, "d", units.length, kUnusualLength, &row.d);
-  ReadDhEntry(&map, "a", units.length, kUnusualLength, &row.a);
-  ReadDhEntry(&map, "alpha", units.angle, kUnusualAngle, &row.alpha);
-  ReadDhEntry(&map, "beta", units.angle, kUnusualAngle, &row.beta);
+  for (const JointNumber& number : kJointNumbers) {
+    const bool angle = number.unit == Unit::kRadian;
+    ReadDhEntry(&map,
+                number.name,
+                angle ? units.angle : units.length,
+                angle ? kUnusualAngle : kUnusualLength,
+                &(row.*number.value));
+  }
   ReadSign(&map, &row.sign);
   return row;
 }

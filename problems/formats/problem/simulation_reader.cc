@@ -8,6 +8,7 @@
 
 #include "core/base/units.h"
 #include "core/io/yaml_map.h"
+#include "core/model/joint_numbers.h"
 #include "problems/formats/problem/effects_reader.h"
 
 namespace dhcal {
@@ -129,11 +130,10 @@ void ReadFrameErrors(YamlMap* map, const std::string& key, Eigen::VectorXd* erro
 void ReadErrors(const YamlValue& value, const RobotModel& robot, SimulationSpec* simulation) {
   YamlMap map(value);
   const int n = JointListLength(robot);
-  map.Read("theta", SmallAngleUnits(), n, &simulation->theta);
-  map.Read("alpha", SmallAngleUnits(), n, &simulation->alpha);
-  map.Read("a", LengthUnits(), n, &simulation->a);
-  map.Read("d", LengthUnits(), n, &simulation->d);
-  map.Read("beta", SmallAngleUnits(), n, &simulation->beta);
+  for (const JointNumber& number : kJointNumbers) {
+    const auto& units = number.unit == Unit::kRadian ? SmallAngleUnits() : LengthUnits();
+    map.Read(number.name, units, n, &simulation->row_errors(number.slot));
+  }
   ReadFrameErrors(&map, "base", &simulation->base);
   ReadFrameErrors(&map, "tool", &simulation->tool);
 }

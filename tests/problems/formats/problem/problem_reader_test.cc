@@ -206,11 +206,11 @@ TEST(ProblemReader, ReadsASimulationInSi) {
   EXPECT_EQ(simulate.motion.num_poses, 12);
   EXPECT_TRUE(simulate.motion.home.isApprox(Eigen::Vector2d(0, kPi / 2)));
   EXPECT_TRUE(simulate.motion.increments.isApprox(Eigen::Vector2d(-3, 3.6) * kDegree));
-  EXPECT_TRUE(simulate.theta.isApprox(Eigen::Vector2d(0.001, 0.002)));
-  EXPECT_TRUE(simulate.alpha.isApprox(Eigen::Vector2d(kPi, 0)));
-  EXPECT_TRUE(simulate.a.isApprox(Eigen::Vector2d(0.003, 0.004)));
-  EXPECT_EQ(simulate.d, Eigen::Vector2d(0.5, 0.6));
-  EXPECT_EQ(simulate.beta, Eigen::Vector2d(0, 7));
+  EXPECT_TRUE(simulate.row_errors(JointSlot::kTheta).isApprox(Eigen::Vector2d(0.001, 0.002)));
+  EXPECT_TRUE(simulate.row_errors(JointSlot::kAlpha).isApprox(Eigen::Vector2d(kPi, 0)));
+  EXPECT_TRUE(simulate.row_errors(JointSlot::kA).isApprox(Eigen::Vector2d(0.003, 0.004)));
+  EXPECT_EQ(simulate.row_errors(JointSlot::kD), Eigen::Vector2d(0.5, 0.6));
+  EXPECT_EQ(simulate.row_errors(JointSlot::kBeta), Eigen::Vector2d(0, 7));
   ASSERT_EQ(simulate.base.size(), 6);
   EXPECT_TRUE(simulate.base.head<3>().isApprox(Eigen::Vector3d(1, 2, 3) * 1e-3));
   EXPECT_EQ(simulate.base.tail<3>(), Eigen::Vector3d(4, 5, 6));
