@@ -76,7 +76,8 @@ Fit RunFit(const Calibration& calibration,
     const int rank = fit.summary.trace.empty() ? 0 : fit.summary.trace.back().rank;
     fit.noise_seen = NoiseFromResiduals(calibration, fit.noise, fit.summary.state, rank);
     const bool settled = !DependsOnNoise(calibration, options) || Agree(fit.noise_seen, fit.noise);
-    if (settled && with_loss == robust) break;
+    fit.noise_settled = settled && with_loss == robust;
+    if (fit.noise_settled) break;
     if (robust) state = fit.summary.state;
     if (round + 1 < kMostNoiseRounds) fit.noise = fit.noise_seen;
   }

@@ -19,6 +19,8 @@ struct Fit {
   SolverSummary summary;
   Noise noise;       // that whitened the last solve
   Noise noise_seen;  // given, or what the residuals at the solution show
+  /// False where the two still differ after as many rounds as there may be.
+  bool noise_settled = false;
 };
 
 /// Solver options as the problem file sets them.

@@ -39,6 +39,10 @@ if [ -z "${DHCAL_DATA:-}" ] && [ -d ../shared/data ]; then
   DHCAL_DATA="$(cd ../shared/data && pwd)"
 fi
 export DHCAL_DATA="${DHCAL_DATA:-}"
+if [ -z "${DHCAL_SHARED:-}" ] && [ -d ../shared/cases ]; then
+  DHCAL_SHARED="$(cd ../shared && pwd)"
+fi
+export DHCAL_SHARED="${DHCAL_SHARED:-}"
 logs="$(mktemp -d)"
 trap 'rm -rf "$logs"' EXIT
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/math/statistics.h"
 #include "core/physics/registry.h"
 #include "problems/fit_analysis.h"
 #include "problems/parameter_values.h"
@@ -62,6 +63,7 @@ Finding DescribeCompletion(const Completion& completion,
                            const Fit& fit,
                            double p_value) {
   const FitAnalysis analysis = Analyse(c, fit);
+  const double quantile = StudentTwoSided(0.95, analysis.degrees_of_freedom);
   const RobotModel& nominal = c.spec.robot;
   const RobotModel calibrated = CalibratedRobot(c, fit.summary.state);
   const Frames frames_nominal(nominal, c.recording), frames(calibrated, c.recording);
@@ -92,8 +94,8 @@ Finding DescribeCompletion(const Completion& completion,
     found.name = ParameterName(completion.request, column->parameter);
     found.value = Correction(nominal, frames_nominal, calibrated, frames, *own);
     found.sigma = std::sqrt(analysis.identifiability.covariance(row, row));
-    found.ci95_low = found.value - 1.96 * found.sigma;
-    found.ci95_high = found.value + 1.96 * found.sigma;
+    found.ci95_low = found.value - quantile * found.sigma;
+    found.ci95_high = found.value + quantile * found.sigma;
     found.unit = column->unit;
     finding.parameters.push_back(found);
     // Frames may come once per run or target: the sentence speaks of the first.
