@@ -77,7 +77,8 @@ Fit RunFit(const Calibration& calibration,
     const int rank = fit.summary.trace.empty() ? 0 : fit.summary.trace.back().rank;
     fit.noise_seen = NoiseFromResiduals(calibration, *fit.problem, fit.noise, rank);
     const bool settled = !DependsOnNoise(calibration, options) || Agree(fit.noise_seen, fit.noise);
-    if (settled && (round > 0 || !robust)) break;
+    fit.noise_settled = settled && (round > 0 || !robust);
+    if (fit.noise_settled) break;
     if (round + 1 < kMostNoiseRounds) fit.noise = fit.noise_seen;
   }
   return fit;

@@ -19,8 +19,10 @@ using Progress = std::function<void(const std::string&)>;
 struct Fit {
   SolverMethod method = SolverMethod::kSvdGaussNewton;
   SolverSummary summary;
-  Noise noise;                                  // that whitened the last solve
-  Noise noise_seen;                             // given, or what the residuals at the solution show
+  Noise noise;       // that whitened the last solve
+  Noise noise_seen;  // given, or what the residuals at the solution show
+  /// False where the two still differ after as many rounds as there may be.
+  bool noise_settled = false;
   std::shared_ptr<CalibrationProblem> problem;  // at the solution; what was solved
 };
 

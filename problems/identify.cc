@@ -30,7 +30,16 @@ std::vector<SolverMethod> Methods(SolverMethod asked) {
   return {SolverMethod::kSvdGaussNewton, SolverMethod::kLevenbergMarquardt};
 }
 
-void AddNotes(const Calibration& c, Result* result) {
+void AddNotes(const Calibration& c, const std::vector<Fit>& fits, Result* result) {
+  for (const Fit& fit : fits) {
+    if (fit.noise_settled || !fit.summary.IsSolutionUsable()) continue;
+    result->notes.push_back(fmt::format(
+        "{}: the noise was still changing when its rounds ended (assumed {:.3g} mm, the residuals "
+        "show {:.3g} mm), and the solution depends on it; state measurement.sigma_mm.",
+        ToString(fit.method),
+        fit.noise.sigma / kMillimetre,
+        fit.noise_seen.sigma / kMillimetre));
+  }
   if (!SourceOfNoise(c).sigma_given && result->noise_sigma <= kFinestSigma) {
     result->notes.push_back(fmt::format(
         "The residuals are smaller than any instrument's noise. What can be trusted is judged as "
@@ -155,7 +164,7 @@ Result IdentifyGeometry(const ProblemSpec& spec,
     fits.push_back(RunFit(c, method, OptionsOf(spec.solver), start, progress));
   }
   DescribeFits(c, fits, &result);
-  AddNotes(c, &result);
+  AddNotes(c, fits, &result);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -78,11 +79,13 @@ void BlockTests::Simulate() const {
         length.cwiseInverse().asDiagonal() * gram_.S * length.cwiseInverse().asDiagonal();
     scaled.diagonal().array() += kAddition;
     const Eigen::LLT<MatrixXd> llt(scaled);
-    CHECK(llt.info() == Eigen::Success);
+    if (llt.info() != Eigen::Success) {
+      throw std::runtime_error("the Gram matrix of the tested columns has no Cholesky factor");
+    }
     draws_z_ = length.asDiagonal() * (llt.matrixL() * normal);
     draws_rss_ = normal.colwise().squaredNorm().transpose();
     const double rest = gram_.nu - static_cast<double>(gram_.S.rows());
-    CHECK_GT(rest, 0);
+    if (!(rest > 0)) throw std::runtime_error("more tested columns than the rows have freedom");
     boost::random::mt19937_64 engine(seed_ + 1);
     boost::random::chi_squared_distribution<double> chi_square(rest);
     for (double& value : draws_rss_) value += chi_square(engine);

@@ -11,6 +11,15 @@
 #include <boost/math/distributions/students_t.hpp>
 
 namespace dhcal {
+namespace {
+
+/// Beyond this a statistic is as good as infinite; its square is still a number.
+constexpr double kLargest = 1e150;
+
+/// A sum of squares, or a ratio of two, as a number that has a score; 0 where it is none.
+double Statistic(double x) { return std::isnan(x) ? 0 : std::clamp(x, 0.0, kLargest); }
+
+}  // namespace
 
 double StudentTwoSided(double confidence, double dof) {
   const double upper = 0.5 * (1.0 + confidence);
@@ -19,11 +28,17 @@ double StudentTwoSided(double confidence, double dof) {
 }
 
 double ChiSquareTail(double x, double dof) {
-  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(dof), x));
+  if (std::isnan(x) || !(dof > 0)) return 1;
+  // Boost takes no infinite x.
+  const double within = std::clamp(x, 0.0, kLargest);
+  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(dof), within));
 }
 
 double FTail(double x, double k, double nu) {
-  return boost::math::cdf(boost::math::complement(boost::math::fisher_f(k, nu), std::max(x, 0.0)));
+  if (std::isnan(x) || !(k > 0) || !(nu > 0)) return 1;
+  if (std::isinf(nu)) return ChiSquareTail(k * x, k);
+  const double within = std::clamp(x, 0.0, kLargest);
+  return boost::math::cdf(boost::math::complement(boost::math::fisher_f(k, nu), within));
 }
 
 double RemovalTail(double Q, double k, double rss, double nu, bool sigma_known) {
@@ -35,11 +50,11 @@ double RemovalTail(double Q, double k, double rss, double nu, bool sigma_known) 
 
 double ChiSquareScore(double mean_square, double dof) {
   const double spread = 2 / (9 * dof);
-  return (std::cbrt(std::max(mean_square, 0.0)) - (1 - spread)) / std::sqrt(spread);
+  return (std::cbrt(Statistic(mean_square)) - (1 - spread)) / std::sqrt(spread);
 }
 
 double FScore(double F, double k, double nu) {
-  const double a = 2 / (9 * k), b = 2 / (9 * nu), root = std::cbrt(std::max(F, 0.0));
+  const double a = 2 / (9 * k), b = 2 / (9 * nu), root = std::cbrt(Statistic(F));
   return ((1 - b) * root - (1 - a)) / std::sqrt(b * root * root + a);
 }
 

@@ -10,7 +10,8 @@ namespace dhcal {
 /// the normal's.
 double StudentTwoSided(double confidence, double dof);
 
-/// P(chi-square with `dof` degrees of freedom > x).
+/// P(chi-square with `dof` degrees of freedom > x). For the tails here: 0 at an infinite x; 1, no
+/// evidence, where x is no number or there is no freedom.
 double ChiSquareTail(double x, double dof);
 
 /// P(F with `k` and `nu` degrees of freedom > x).
@@ -21,7 +22,8 @@ double FTail(double x, double k, double nu);
 /// unknown size, and one is the answer where nothing is left to judge by.
 double RemovalTail(double Q, double k, double rss, double nu, bool sigma_known = false);
 
-/// The standard normal score of a chi-square variable with `dof` degrees of freedom, given as its
+/// The standard normal score (finite; the lowest where the statistic is no number) of a chi-square
+/// variable with `dof` degrees of freedom, given as its
 /// mean square x / dof (Wilson and Hilferty 1931).
 double ChiSquareScore(double mean_square, double dof);
 

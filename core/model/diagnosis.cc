@@ -14,6 +14,8 @@ const char* ToString(DiagnosisVerdict verdict) {
       return "ambiguous";
     case DiagnosisVerdict::kUnexplained:
       return "unexplained";
+    case DiagnosisVerdict::kFailed:
+      return "failed";
   }
   return "?";
 }

@@ -14,9 +14,16 @@
 
 namespace dhcal {
 
-enum class DiagnosisVerdict { kConsistent, kExplained, kPartlyExplained, kAmbiguous, kUnexplained };
+enum class DiagnosisVerdict {
+  kConsistent,
+  kExplained,
+  kPartlyExplained,
+  kAmbiguous,
+  kUnexplained,
+  kFailed  // no answer: the diagnosis itself broke down
+};
 
-/// "consistent", "explained", "partly_explained", "ambiguous", "unexplained".
+/// "consistent", "explained", "partly_explained", "ambiguous", "unexplained", "failed".
 const char* ToString(DiagnosisVerdict verdict);
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -26,11 +33,13 @@ struct Misfit {
   double statistic = kUnknown;  // chi-square, or the largest score of all tests
   double dof = kUnknown;
   double p_value = kUnknown;      // family-wise, that nothing is left out
+  double p_floor = kUnknown;      // the smallest that as many draws can give
   double noise_sigma = kUnknown;  // [m]
   bool noise_known = false;
-  double rms = kUnknown;  // [m] per coordinate, complete geometry
+  double rms = kUnknown;  // [m] per length as read, complete geometry
   int rows = -1;
-  int outliers = -1;  // rows set aside
+  int outliers = -1;              // rows set aside, fitted or not
+  std::vector<int> outlier_rows;  // which; count from 0
 };
 
 /// One cell of the mismatch map.

@@ -69,7 +69,10 @@ std::vector<EffectRequest> WithVariant(const Effect& effect,
 bool IsConstant(const Eigen::VectorXd& driver) {
   if (driver.size() == 0 || !driver.allFinite()) return true;
   const double spread = driver.maxCoeff() - driver.minCoeff();
-  return !(spread > 1e-9 * std::max(1.0, driver.cwiseAbs().maxCoeff()));
+  // Of its size; what drives an effect of usual size by less moves nothing that could be read. The
+  // jitter of joints at rest makes loads vary by a millionth.
+  constexpr double kSpread = 1e-5;
+  return !(spread > kSpread * std::max(1.0, driver.cwiseAbs().maxCoeff()));
 }
 
 std::string JointName(int joint_from_1) { return fmt::format("joint {}", joint_from_1); }

@@ -2,12 +2,51 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <string>
 #include <utility>
 
 #include <glog/logging.h>
 
 namespace dhcal {
+namespace {
+
+// A joint that goes less far drives nothing that shows: the finest pattern that is looked for, a
+// gear's line of order 330, has a period of 19 mrad; screws and racks have pitches of millimetres.
+constexpr double kMoves = 1e-3;  // [rad or m]
+// To turn back by less is to stand still: read-outs of a joint at rest jitter by a few urad, and at
+// a reach of a metre this is a tracker's noise.
+constexpr double kAtRest = 2e-5;  // [rad or m]
+
+/// Sense in which a joint moved last. A joint at rest keeps the flank on which it came to rest.
+class LastMotion {
+ public:
+  void GoTo(double q) {
+    if (sense_ <= 0) low_ = std::min(low_, q);
+    if (sense_ >= 0) high_ = std::max(high_, q);
+    if (sense_ <= 0 && q > low_ + kAtRest) {
+      sense_ = 1;
+      high_ = q;
+    } else if (sense_ >= 0 && q < high_ - kAtRest) {
+      sense_ = -1;
+      low_ = q;
+    }
+  }
+  void Set(double q, double sense) {
+    low_ = high_ = q;
+    sense_ = sense;
+  }
+  double sense() const { return sense_; }
+
+ private:
+  // Furthest since the last turn, against the sense and along it; both before the first motion.
+  double low_ = std::numeric_limits<double>::infinity();
+  double high_ = -std::numeric_limits<double>::infinity();
+  double sense_ = 0;
+};
+
+}  // namespace
 
 PhysicsContext::PhysicsContext(const RobotModel& robot,
                                const Recording& recording,
@@ -20,19 +59,31 @@ PhysicsContext::PhysicsContext(const RobotModel& robot,
     const auto frames = chain_.LinkFrames(recording_.q.row(k).transpose());
     frames_.insert(frames_.end(), frames.begin(), frames.end());
   }
+  FillMoves();
   FillDirections();
   FillClock();
 }
 
-Eigen::Vector3d PhysicsContext::p_WQ(int row_idx) const {
-  if (recording_.p_WQ.rows() > 0 && recording_.p_WQ.row(row_idx).allFinite()) {
-    return recording_.p_WQ.row(row_idx).transpose();
+const Eigen::Isometry3d& PhysicsContext::X_TQ(int row_idx) const {
+  if (!recording_.target_idx.empty()) {
+    const std::string& name =
+        recording_.target_names[static_cast<std::size_t>(recording_.target(row_idx))];
+    for (const Target& target : robot_.targets) {
+      if (target.name == name) return target.X_TQ;
+    }
   }
-  return nominal_p_WQ(row_idx);
+  if (!recording_.run_idx.empty()) {
+    const std::string& name =
+        recording_.run_names[static_cast<std::size_t>(recording_.run(row_idx))];
+    for (const RunFrame& tool : robot_.tool_of_run) {
+      if (tool.run == name) return tool.X;
+    }
+  }
+  return robot_.targets.empty() ? robot_.X_TQ : robot_.targets.front().X_TQ;
 }
 
-Eigen::Vector3d PhysicsContext::nominal_p_WQ(int row_idx) const {
-  return X_WB(row_idx) * (X_BL(row_idx, num_joints() - 1) * robot_.X_TQ.translation());
+Eigen::Vector3d PhysicsContext::p_WQ(int row_idx) const {
+  return X_WB(row_idx) * (X_BL(row_idx, num_joints() - 1) * X_TQ(row_idx).translation());
 }
 
 Eigen::Matrix<double, 6, 1> PhysicsContext::AsBaseSlots(int row_idx, const Twist& twist) const {
@@ -59,23 +110,29 @@ bool PhysicsContext::payload_varies() const {
   return false;
 }
 
+void PhysicsContext::FillMoves() {
+  for (int j = 0; j < num_joints(); ++j) {
+    moves_.push_back(num_rows() > 0 &&
+                     recording_.q.col(j).maxCoeff() - recording_.q.col(j).minCoeff() > kMoves);
+  }
+}
+
 void PhysicsContext::FillDirections() {
   direction_.setZero(num_rows(), num_joints());
-  std::vector<int> last(recording_.run_names.empty() ? 1 : recording_.run_names.size(), -1);
-  for (int k = 0; k < num_rows(); ++k) {
-    int& before = last[static_cast<std::size_t>(recording_.run(k))];
-    for (int j = 0; j < num_joints(); ++j) {
+  const std::size_t num_runs = std::max<std::size_t>(recording_.run_names.size(), 1);
+  for (int j = 0; j < num_joints(); ++j) {
+    std::vector<LastMotion> of_run(num_runs);
+    for (int k = 0; k < num_rows(); ++k) {
+      LastMotion& motion = of_run[static_cast<std::size_t>(recording_.run(k))];
       const bool given =
           recording_.direction.rows() > 0 && std::isfinite(recording_.direction(k, j));
       if (given) {
-        direction_(k, j) = sign(j) * recording_.direction(k, j);
-      } else if (before >= 0) {
-        // A joint that stood still keeps the flank on which it came to rest.
-        const double step = recording_.q(k, j) - recording_.q(before, j);
-        direction_(k, j) = step > 0 ? sign(j) : step < 0 ? -sign(j) : direction_(before, j);
+        motion.Set(recording_.q(k, j), recording_.direction(k, j));
+      } else {
+        motion.GoTo(recording_.q(k, j));
       }
+      direction_(k, j) = sign(j) * motion.sense();
     }
-    before = k;
   }
 }
 

@@ -39,6 +39,9 @@ class PhysicsContext {
 
   /// Joint coordinate in DH's sense [rad or m], per row; without the row's offset.
   Eigen::VectorXd q(int joint) const { return row(joint).sign * recording_.q.col(joint); }
+  /// True if a joint goes through enough of its travel to drive anything; the read-outs of one that
+  /// is locked jitter.
+  bool moves(int joint) const { return moves_[static_cast<std::size_t>(joint)]; }
   /// Slot that the joint drives: theta, or d of a prismatic one.
   int joint_slot(int joint) const {
     return slots().joint(joint, revolute(joint) ? JointSlot::kTheta : JointSlot::kD);
@@ -60,9 +63,9 @@ class PhysicsContext {
   const Eigen::Isometry3d& X_WB(int row_idx) const {
     return X_WB_.size() == 1 ? X_WB_[0] : X_WB_[static_cast<std::size_t>(recording_.run(row_idx))];
   }
-  /// Measured point Q in W: as measured, else at the nominal robot [m].
+  /// Where the nominal robot has the measured point Q, in W [m]. Never what was read: a column that
+  /// held a reading would hold the residual, and explain it.
   Eigen::Vector3d p_WQ(int row_idx) const;
-  Eigen::Vector3d nominal_p_WQ(int row_idx) const;
 
   /// The six base slots' perturbation that moves Q as the twist does, to first order.
   Eigen::Matrix<double, 6, 1> AsBaseSlots(int row_idx, const Twist& twist) const;
@@ -72,7 +75,7 @@ class PhysicsContext {
   bool payload_varies() const;
 
   /// Sense (DH's) of each joint's last motion, -1, 0 or 1: the column, else from the previous rows
-  /// of the run. 0 = not known.
+  /// of the run, where turning back by no more than read-outs jitter is rest. 0 = not known.
   const Eigen::MatrixXd& direction() const { return direction_; }
 
   bool has_time() const { return recording_.time.size() > 0 && recording_.time.allFinite(); }
@@ -87,9 +90,12 @@ class PhysicsContext {
 
  private:
   const JointRow& row(int joint) const { return robot_.joints[static_cast<std::size_t>(joint)]; }
+  /// Flange T to the point Q of a row's target or run.
+  const Eigen::Isometry3d& X_TQ(int row_idx) const;
   int axis_link(int joint) const {
     return robot_.convention == DhConvention::kStandard ? joint - 1 : joint;
   }
+  void FillMoves();
   void FillDirections();
   void FillClock();
 
@@ -98,6 +104,7 @@ class PhysicsContext {
   DhChain chain_;
   std::vector<Eigen::Isometry3d> X_WB_;
   std::vector<Eigen::Isometry3d> frames_;  // num_rows x (n + 1)
+  std::vector<bool> moves_;
   Eigen::MatrixXd direction_;
   Eigen::VectorXd clock_, drift_clock_;
   bool has_one_clock_ = false;

@@ -50,6 +50,8 @@ struct EffectDescription {
   std::string needs;    // columns or keys that it needs; empty = joint angles suffice
   std::string typical;  // size, with its source
   bool has_joint = true;
+  /// False for what free geometry can always do: a diagnosis says how well it hides, no more.
+  bool may_be_named = true;
   /// A free curve of the joint's angle: no candidate of its own, offered where a search finds more
   /// lines at a joint than few gears have.
   bool is_curve = false;

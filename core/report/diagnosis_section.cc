@@ -17,6 +17,7 @@
 namespace dhcal {
 namespace {
 
+constexpr std::size_t kMostOutliers = 30;
 constexpr std::size_t kMostMap = 6;
 constexpr std::size_t kMostConfusable = 6;
 constexpr std::size_t kMostHidden = 8;
@@ -54,6 +55,23 @@ JointUnit UnitOfDriver(const RobotModel& robot, const std::string& driver) {
   return {};
 }
 
+/// A probability from draws says no more than that it is below the smallest they can give.
+std::string Probability(double p, double floor) {
+  const bool at_floor = std::abs(p - floor) <= 1e-9 * floor;
+  return at_floor ? "< " + Probability(floor) : Probability(p);
+}
+
+/// "rows 3, 17, 40 ... and 5 more in result.json".
+std::string RowsInWords(const std::vector<int>& rows) {
+  std::vector<std::string> words;
+  for (const int row : rows) {
+    if (words.size() == kMostOutliers) break;
+    words.push_back(std::to_string(row + 1));
+  }
+  const std::size_t more = rows.size() - words.size();
+  return fmt::format("{}{}", fmt::join(words, ", "), more > 0 ? " " + AndMore(more) : "");
+}
+
 std::string MisfitWords(const DiagnosisResult& d) {
   const Misfit& m = d.misfit;
   // Nothing was measured where the complete geometry has no fit; the summary says so.
@@ -71,10 +89,11 @@ std::string MisfitWords(const DiagnosisResult& d) {
       WithMillimetres(m.rms),
       m.rows,
       noise,
-      Probability(m.p_value),
+      Probability(m.p_value, m.p_floor),
       d.false_alarm);
   if (m.outliers > 0) {
-    text += fmt::format(" {} set aside as outliers.", Counted(m.outliers, "row"));
+    text += fmt::format(
+        " {} set aside as outliers: {}.", Counted(m.outliers, "row"), RowsInWords(m.outlier_rows));
   }
   return Wrap("  ", text);
 }

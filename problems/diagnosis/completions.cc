@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "core/math/statistics.h"
 #include "core/physics/registry.h"
 #include "problems/fit_analysis.h"
 #include "problems/parameter_values.h"
@@ -64,6 +65,7 @@ Finding DescribeCompletion(const Completion& completion,
                            const Fit& fit,
                            double p_value) {
   const std::optional<FitAnalysis> analysis = Analyse(c, fit);
+  const double quantile = StudentTwoSided(0.95, analysis ? analysis->degrees_of_freedom : 1.0);
   const RobotModel& nominal = c.spec.robot;
   const RobotModel calibrated = CalibratedRobot(c, fit.summary.state);
   const Frames frames_nominal(nominal, c.recording), frames(calibrated, c.recording);
@@ -95,8 +97,8 @@ Finding DescribeCompletion(const Completion& completion,
     found.value = Correction(nominal, frames_nominal, calibrated, frames, *own);
     found.sigma = analysis ? std::sqrt(analysis->identifiability.covariance(row, row))
                            : std::numeric_limits<double>::infinity();
-    found.ci95_low = found.value - 1.96 * found.sigma;
-    found.ci95_high = found.value + 1.96 * found.sigma;
+    found.ci95_low = found.value - quantile * found.sigma;
+    found.ci95_high = found.value + quantile * found.sigma;
     found.unit = column->unit;
     finding.parameters.push_back(found);
     // Frames may come once per run or target: the sentence speaks of the first.

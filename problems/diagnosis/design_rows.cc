@@ -151,6 +151,17 @@ void DesignRows::AddSeries(const Eigen::VectorXd& state,
   }
 }
 
+Eigen::VectorXd DesignRows::OffsetLeverage() const {
+  if (num_series_ == 0) return {};
+  Eigen::VectorXd leverage = Eigen::VectorXd::Zero(num_rows());
+  for (int k = 0; k < offsets_.cols(); ++k) {
+    for (Eigen::SparseMatrix<double>::InnerIterator it(offsets_, k); it; ++it) {
+      leverage[it.row()] += it.value() * it.value();
+    }
+  }
+  return leverage;
+}
+
 void DesignRows::WhitenSerially(double rho) {
   CHECK(CanWhiten());
   const double scale = 1 / std::sqrt(1 - rho * rho);
@@ -201,6 +212,23 @@ Eigen::MatrixXd DesignRows::Geometry(const std::vector<Parameter>& parameters) c
     J.col(k) = Column({{parameter.slot, weight}});
   }
   return J;
+}
+
+double RmsAsRead(const Calibration& c,
+                 const Noise& noise,
+                 const std::vector<int>& recording_row,
+                 const Eigen::VectorXd& whitened) {
+  const MeasurementKind& kind = c.measurement->kind();
+  double square = 0;
+  int count = 0;
+  for (Eigen::Index k = 0; k < whitened.size(); ++k) {
+    const auto coordinate = static_cast<std::size_t>(k % kind.num_coordinates());
+    if (kind.coordinates[coordinate].unit != Unit::kMetre) continue;
+    const double sigma = c.RowSigma(recording_row[static_cast<std::size_t>(k)], noise);
+    square += whitened[k] * whitened[k] * sigma * sigma;
+    ++count;
+  }
+  return count > 0 ? std::sqrt(square / count) : std::nan("");
 }
 
 }  // namespace dhcal

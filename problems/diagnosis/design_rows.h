@@ -49,6 +49,9 @@ class DesignRows {
   /// Orthonormal basis of what those offsets take of the rows; no columns where there are none.
   const Eigen::SparseMatrix<double>& offsets() const { return offsets_; }
 
+  /// Squared length of each row of that basis; empty where there is none.
+  Eigen::VectorXd OffsetLeverage() const;
+
   /// Whitened column of something that adds `weight` (per recording row) to slots.
   Eigen::VectorXd Column(const std::vector<SlotWeights>& slots) const;
   /// Columns of the calibration's parameters (effects switched on included).
@@ -84,6 +87,14 @@ class DesignRows {
   int num_series_ = 0;  // with shared differences; else none
   Eigen::SparseMatrix<double> offsets_;
 };
+
+/// Root mean square [m] of the lengths among whitened values, unwhitened by each row's own sigma;
+/// `recording_row`: of each value. Shared poses count as poses, up to their series' offset. NaN
+/// where there are none.
+double RmsAsRead(const Calibration& calibration,
+                 const Noise& noise,
+                 const std::vector<int>& recording_row,
+                 const Eigen::VectorXd& whitened);
 
 }  // namespace dhcal
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <set>
@@ -15,15 +17,17 @@
 #include "core/base/units.h"
 #include "core/math/statistics.h"
 #include "core/physics/registry.h"
+#include "problems/diagnosis/clean_rows.h"
 #include "problems/diagnosis/complete_fit.h"
+#include "problems/diagnosis/completions.h"
 #include "problems/diagnosis/design_rows.h"
-#include "problems/diagnosis/findings.h"
 #include "problems/diagnosis/held_fit.h"
 #include "problems/diagnosis/hypotheses.h"
 #include "problems/diagnosis/missing_geometry.h"
 #include "problems/diagnosis/projection.h"
 #include "problems/diagnosis/refit.h"
 #include "problems/diagnosis/search.h"
+#include "problems/diagnosis/set_tester.h"
 #include "problems/diagnosis/verdict.h"
 #include "problems/noise.h"
 
@@ -33,28 +37,10 @@ namespace {
 // Rows beyond this are thinned for the search (not for the fits).
 constexpr std::size_t kMostReadings = 6000;
 constexpr std::size_t kLongestPiece = 100;  // of a series, when a long one is thinned
-constexpr int kOutlierRounds = 3;
 constexpr int kDraws = 2000;
 constexpr double kWorthWhitening = 0.1;  // smallest serial correlation that is taken out
 constexpr double kWhitenSigmas = 4;
 constexpr double kMostCorrelation = 0.95;
-
-/// The rows of a fit without the readings that lie off, and the geometry taken out.
-struct CleanRows {
-  std::vector<Reading> readings;  // used
-  std::vector<int> outliers;      // rows of the recording
-  std::unique_ptr<DesignRows> rows;
-  Eigen::MatrixXd U;
-  Eigen::VectorXd y;
-  double nu = 0;
-};
-
-/// Takes a lag-1 correlation out of rows that are clean already.
-void Whiten(const CompleteFit& fit, double rho, CleanRows* clean) {
-  clean->rows->WhitenSerially(rho);
-  clean->U = ModelBasis(fit, clean->readings, rho);
-  clean->y = ProjectOff(clean->U, clean->rows->y());
-}
 
 /// Lag-1 correlation, within runs, of what the accepted hypotheses leave.
 double SerialCorrelation(const CompleteFit& fit,
@@ -73,33 +59,6 @@ double SerialCorrelation(const CompleteFit& fit,
     square += y[k] * y[k];
   }
   return square > 0 ? product / square : 0;
-}
-
-CleanRows Clean(const CompleteFit& fit, std::vector<Reading> readings) {
-  CleanRows clean;
-  const Calibration& c = fit.calibration;
-  for (int round = 0; round <= kOutlierRounds; ++round) {
-    clean.readings = readings;
-    clean.rows = std::make_unique<DesignRows>(c, fit.state(), fit.fit.noise_seen, readings);
-    clean.U = ModelBasis(fit, readings);
-    clean.y = ProjectOff(clean.U, clean.rows->y());
-    clean.nu = static_cast<double>(clean.rows->degrees_of_freedom() - clean.U.cols());
-    const bool plain = clean.rows->num_readings() == static_cast<int>(readings.size());
-    if (round == kOutlierRounds || !plain) break;
-    const std::vector<bool> flagged = FlagOutliers(clean.y, clean.U, clean.rows->coordinates());
-    if (FollowAJoint(*clean.rows, clean.y, flagged, c.recording.num_joints())) break;
-    std::vector<Reading> good;
-    for (std::size_t k = 0; k < readings.size(); ++k) {
-      if (flagged[k]) {
-        clean.outliers.push_back(readings[k].row_idx);
-      } else {
-        good.push_back(readings[k]);
-      }
-    }
-    if (good.size() == readings.size()) break;
-    readings = good;
-  }
-  return clean;
 }
 
 /// Readings that follow each other without a gap (differences), cut to pieces of a length; single
@@ -131,6 +90,10 @@ std::vector<Reading> Thinned(const std::vector<Reading>& readings) {
   return thinned;
 }
 
+bool IsWanted(const std::vector<std::string>& effects, const std::string& effect) {
+  return effects.empty() || std::find(effects.begin(), effects.end(), effect) != effects.end();
+}
+
 /// Fills the space with the library and the map; lists what cannot be tested.
 void Populate(const ProblemSpec& spec, HypothesisSpace* space, DiagnosisResult* d) {
   const PhysicsContext& context = space->context();
@@ -146,7 +109,8 @@ void Populate(const ProblemSpec& spec, HypothesisSpace* space, DiagnosisResult* 
       }
       const std::string reason = effect->NotTestable(context, request);
       if (reason.empty()) {
-        space->AddEffect(request);
+        // What may not be named must not accuse either.
+        space->AddEffect(request, IsWanted(spec.diagnosis.effects, request.effect));
       } else if (reported.emplace(request.effect, reason).second) {
         d->not_testable.push_back({InstanceName(request), reason});
       }
@@ -166,16 +130,19 @@ void DescribeMisfit(const CompleteFit& fit,
                     const CleanRows& clean,
                     const SearchOutcome& outcome,
                     DiagnosisResult* d) {
+  const std::vector<int>& row = clean.rows->now_row();
   Misfit& misfit = d->misfit;
   misfit.noise_known = SourceOfNoise(fit.calibration).all_given();
-  misfit.noise_sigma = fit.fit.noise_seen.sigma;
+  misfit.noise_sigma = RmsAsRead(fit.calibration,
+                                 fit.fit.noise_seen,
+                                 row,
+                                 Eigen::VectorXd::Ones(static_cast<Eigen::Index>(row.size())));
   misfit.rows = static_cast<int>(clean.readings.size());
-  misfit.outliers = static_cast<int>(clean.outliers.size());
   misfit.statistic = clean.y.squaredNorm();
   misfit.dof = clean.nu;
   misfit.p_value = outcome.p_geometry;
-  misfit.rms =
-      misfit.noise_sigma * std::sqrt(clean.y.squaredNorm() / static_cast<double>(clean.y.size()));
+  misfit.p_floor = Combine(1.0 / (kDraws + 1), 1);
+  misfit.rms = clean.rms;
 }
 
 /// One search with all that it refers to.
@@ -211,16 +178,6 @@ std::string SlowExcess(double rho) {
       rho);
 }
 
-/// All readings to be fitted but those that lie off.
-std::vector<Reading> GoodReadings(const Calibration& c, const CleanRows& clean) {
-  const std::set<int> off(clean.outliers.begin(), clean.outliers.end());
-  std::vector<Reading> good;
-  for (const Reading& reading : c.readings.fitted) {
-    if (off.count(reading.row_idx) == 0) good.push_back(reading);
-  }
-  return good;
-}
-
 /// Something is there; nothing that was found may be named.
 void GiveNoName(SearchOutcome* outcome) {
   outcome->accepted.clear();
@@ -228,6 +185,148 @@ void GiveNoName(SearchOutcome* outcome) {
   outcome->removed_by_names = 0;
   for (TestedSet& set : outcome->tested) set.kept = false;
 }
+
+/// The steps of one diagnosis. Rows that lie off are judged twice: by the geometry before there is
+/// anything else, and again by the geometry with what was found, since strong physics makes rows
+/// lie off that do not, and hides others that do.
+class Diagnoser {
+ public:
+  Diagnoser(const ProblemSpec& spec, const Recording& recording, const Progress& progress)
+      : spec_(spec), recording_(recording), progress_(progress) {}
+
+  DiagnosisResult Run(const Result& identified) {
+    Say("complete geometry");
+    geometry_ = FitComplete(spec_, recording_, {}, nullptr, progress_);
+    if (!geometry_->usable()) {
+      DiagnosisResult d;
+      d.false_alarm = spec_.diagnosis.false_alarm;
+      d.verdict = DiagnosisVerdict::kUnexplained;
+      d.summary = "the complete geometry could not be fitted, so nothing can be said: " +
+                  geometry_->fit.summary.message;
+      return d;
+    }
+    const Calibration& c = geometry_->calibration;
+    context_ = std::make_unique<PhysicsContext>(c.Context());
+    const Calibration own(spec_, recording_);
+    share_of_search_ = MissingCompletions(own, c).empty() ? 1 : 1 - kShareOfGeometry;
+    std::set<int> off = RowsThatLieOff(*geometry_, c.readings.fitted);
+    Attempt attempt = Try(off);
+    if (attempt.refitted.fit) {
+      const std::set<int> off_now = RowsThatLieOff(*attempt.refitted.fit, c.readings.fitted);
+      if (off_now != off) {
+        Say("again with the rows that lie off from what was found");
+        off = off_now;
+        attempt = Try(off);
+      }
+    }
+    return Finish(identified, off, std::move(attempt));
+  }
+
+ private:
+  struct Attempt {
+    DiagnosisResult d;
+    std::vector<Reading> readings;  // all that do not lie off
+    std::unique_ptr<Pass> pass;
+    Refitted refitted;
+  };
+
+  void Say(const std::string& text) const {
+    if (progress_) progress_("diagnosis: " + text);
+  }
+
+  /// Search and refit without some rows.
+  Attempt Try(const std::set<int>& off) const {
+    const Calibration& c = geometry_->calibration;
+    Attempt attempt;
+    attempt.readings = WithoutRows(c, c.readings.fitted, off);
+    DiagnosisResult& d = attempt.d;
+    d.false_alarm = spec_.diagnosis.false_alarm;
+    const std::vector<Reading> searched = Thinned(attempt.readings);
+    if (searched.size() < attempt.readings.size()) {
+      d.notes.push_back(
+          fmt::format("{} of {} rows were searched, evenly over the recording; the fits use all.",
+                      searched.size(),
+                      attempt.readings.size()));
+    }
+    attempt.pass = SearchPass(searched, &d);
+    DescribeMisfit(*geometry_, attempt.pass->clean, attempt.pass->outcome, &d);
+    const std::vector<EffectRequest> names = NamesOf(*attempt.pass);
+    if (!names.empty()) {
+      attempt.refitted = RefitAndJudge(
+          spec_, recording_, attempt.readings, names, [&](const auto& text) { Say(text); }, &d);
+    }
+    return attempt;
+  }
+
+  /// Searches, once more with the rows' serial correlation taken out where there is one.
+  std::unique_ptr<Pass> SearchPass(const std::vector<Reading>& readings, DiagnosisResult* d) const {
+    auto pass = std::make_unique<Pass>(*context_, TakeOutModel(*geometry_, readings));
+    SearchOptions options;
+    options.false_alarm = share_of_search_ * spec_.diagnosis.false_alarm;
+    options.sigma_known = SourceOfNoise(geometry_->calibration).all_given();
+    options.nu = pass->clean.nu;
+    options.effects = spec_.diagnosis.effects;
+    options.draws = kDraws;
+    Populate(spec_, &pass->space, d);
+    Say(fmt::format("{} hypotheses and map cells", pass->space.all().size()));
+    pass->outcome = Search(options, &pass->space);
+    const double rho =
+        SerialCorrelation(*geometry_, pass->clean, pass->space, pass->outcome.accepted);
+    const double significant = std::max(
+        kWorthWhitening, kWhitenSigmas / std::sqrt(static_cast<double>(pass->clean.y.size())));
+    if (pass->outcome.consistent || rho <= significant || !pass->clean.rows->CanWhiten()) {
+      return pass;
+    }
+    Say(fmt::format("again with the readings' serial correlation of {:.2f} taken out", rho));
+    auto white = std::make_unique<Pass>(*context_, TakeOutModel(*geometry_, readings));
+    WhitenSerially(*geometry_, std::min(rho, kMostCorrelation), &white->clean);
+    d->not_testable.clear();
+    Populate(spec_, &white->space, d);
+    // A correlated noise is not of the size that an independent one would have.
+    SearchOptions unknown = options;
+    unknown.sigma_known = false;
+    unknown.start = NamesOf(*pass);
+    white->outcome = Search(unknown, &white->space);
+    if (white->outcome.consistent && options.sigma_known &&
+        ExceedsNoise(pass->clean, options.false_alarm)) {
+      d->notes.push_back(SlowExcess(rho));
+      GiveNoName(&pass->outcome);
+      return pass;
+    }
+    d->notes.push_back(fmt::format(
+        "What is left of neighbouring readings correlates ({:.2f}); it was taken out as serial "
+        "noise before the search, so that slow noise is not taken for a drift or a step.",
+        rho));
+    return white;
+  }
+
+  DiagnosisResult Finish(const Result& identified,
+                         const std::set<int>& off,
+                         Attempt attempt) const {
+    DiagnosisResult& d = attempt.d;
+    const CompleteFit& joint = attempt.refitted.fit ? *attempt.refitted.fit : *geometry_;
+    const std::set<int> misread = MisreadTestRows(*geometry_, joint);
+    std::set<int> aside = off;
+    aside.insert(misread.begin(), misread.end());
+    d.misfit.outliers = static_cast<int>(aside.size());
+    d.misfit.outlier_rows.assign(aside.begin(), aside.end());
+    Say("missing geometry");
+    const Calibration& c = geometry_->calibration;
+    const Readings readings{attempt.readings, WithoutRows(c, c.readings.test, misread)};
+    AddMissingGeometry(spec_, recording_, identified, joint, readings, &d);
+    Say("what is hidden");
+    const Pass& pass = *attempt.pass;
+    Conclude(*geometry_, pass.space, pass.outcome, attempt.refitted.rest_left, &d);
+    return d;
+  }
+
+  const ProblemSpec& spec_;
+  const Recording& recording_;
+  const Progress& progress_;
+  std::unique_ptr<CompleteFit> geometry_;    // complete, without physics
+  std::unique_ptr<PhysicsContext> context_;  // at it
+  double share_of_search_ = 1;               // of the false-alarm rate
+};
 
 }  // namespace
 
@@ -241,95 +340,29 @@ bool WantsDiagnosis(const ProblemSpec& spec, const Result& identified) {
   return !noise_free && identified.best()->rms > kFinestSigma;
 }
 
+DiagnosisResult Guarded(const std::function<DiagnosisResult()>& diagnose) {
+  std::string fault = "an unknown error";
+  try {
+    return diagnose();
+  } catch (const std::exception& error) {
+    fault = error.what();
+  } catch (...) {
+  }
+  DiagnosisResult d;
+  d.verdict = DiagnosisVerdict::kFailed;
+  d.summary = fmt::format(
+      "the diagnosis broke down ({}), so nothing is known of left-out physics. The calibration was "
+      "made before and does not depend on it",
+      fault);
+  return d;
+}
+
 DiagnosisResult Diagnose(const ProblemSpec& spec,
                          const Recording& recording,
                          const Result& identified,
                          const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const auto say = [&](const std::string& text) {
-    if (progress) progress("diagnosis: " + text);
-  };
-  DiagnosisResult d;
-  d.false_alarm = spec.diagnosis.false_alarm;
-  say("complete geometry");
-  const auto before = FitComplete(spec, recording, {}, nullptr, progress);
-  if (!before->usable()) {
-    d.verdict = DiagnosisVerdict::kUnexplained;
-    d.summary = "the complete geometry could not be fitted, so nothing can be said: " +
-                before->fit.summary.message;
-    return d;
-  }
-  const Calibration& c = before->calibration;
-  // Readings that lie off are sought among all, so that the refit is spared those that the search
-  // passes over, too.
-  std::vector<Reading> readings = c.readings.fitted;
-  std::vector<int> off;
-  if (readings.size() > kMostReadings) {
-    const CleanRows all = Clean(*before, readings);
-    off = all.outliers;
-    readings = Thinned(all.readings);
-  }
-  const auto cleaned = [&] {
-    CleanRows rows = Clean(*before, readings);
-    rows.outliers.insert(rows.outliers.end(), off.begin(), off.end());
-    return rows;
-  };
-  CleanRows clean = cleaned();
-  const bool completed =
-      AddMissingGeometry(spec, recording, identified, *before, GoodReadings(c, clean), &d);
-  if (c.readings.fitted.size() > kMostReadings) {
-    d.notes.push_back(
-        fmt::format("{} of {} rows were searched, evenly over the recording; the "
-                    "fits use all.",
-                    readings.size(),
-                    c.readings.fitted.size()));
-  }
-  const PhysicsContext context = c.Context();
-  SearchOptions options;
-  options.false_alarm = (completed ? 1 - kShareOfGeometry : 1) * spec.diagnosis.false_alarm;
-  options.sigma_known = SourceOfNoise(c).all_given();
-  options.nu = clean.nu;
-  options.effects = spec.diagnosis.effects;
-  options.draws = kDraws;
-  auto pass = std::make_unique<Pass>(context, std::move(clean));
-  Populate(spec, &pass->space, &d);
-  say(fmt::format("{} hypotheses and map cells", pass->space.all().size()));
-  pass->outcome = Search(options, &pass->space);
-  const double rho = SerialCorrelation(*before, pass->clean, pass->space, pass->outcome.accepted);
-  const double significant = std::max(
-      kWorthWhitening, kWhitenSigmas / std::sqrt(static_cast<double>(pass->clean.y.size())));
-  if (!pass->outcome.consistent && rho > significant && pass->clean.rows->CanWhiten()) {
-    say(fmt::format("again with the readings' serial correlation of {:.2f} taken out", rho));
-    auto white = std::make_unique<Pass>(context, cleaned());
-    Whiten(*before, std::min(rho, kMostCorrelation), &white->clean);
-    d.not_testable.clear();
-    Populate(spec, &white->space, &d);
-    // A correlated noise is not of the size that an independent one would have.
-    SearchOptions unknown = options;
-    unknown.sigma_known = false;
-    unknown.start = NamesOf(*pass);
-    white->outcome = Search(unknown, &white->space);
-    if (white->outcome.consistent && options.sigma_known &&
-        ExceedsNoise(pass->clean, options.false_alarm)) {
-      d.notes.push_back(SlowExcess(rho));
-      GiveNoName(&pass->outcome);
-    } else {
-      d.notes.push_back(fmt::format(
-          "What is left of neighbouring readings correlates ({:.2f}); it was taken out as serial "
-          "noise before the search, so that slow noise is not taken for a drift or a step.",
-          rho));
-      pass = std::move(white);
-    }
-  }
-  const SearchOutcome& outcome = pass->outcome;
-  DescribeMisfit(*before, pass->clean, outcome, &d);
-
-  const std::vector<EffectRequest> names = NamesOf(*pass);
-  const bool rest_left =
-      !names.empty() &&
-      RefitAndJudge(spec, recording, GoodReadings(c, pass->clean), names, say, &d);
-  say("what is hidden");
-  Conclude(*before, pass->space, outcome, rest_left, &d);
+  DiagnosisResult d = Diagnoser(spec, recording, progress).Run(identified);
   d.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return d;
 }

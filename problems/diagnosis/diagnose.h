@@ -2,6 +2,8 @@
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_DIAGNOSE_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_DIAGNOSE_H_
 
+#include <functional>
+
 #include "core/model/diagnosis.h"
 #include "core/model/problem_spec.h"
 #include "core/model/recording.h"
@@ -21,6 +23,10 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
                          const Recording& recording,
                          const Result& identified,
                          const Progress& progress);
+
+/// What `diagnose` returns; where it throws, a diagnosis of verdict kFailed that says why. The
+/// calibration is there already, and no fault of what comes after it may lose it.
+DiagnosisResult Guarded(const std::function<DiagnosisResult()>& diagnose);
 
 }  // namespace dhcal
 

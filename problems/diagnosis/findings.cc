@@ -11,12 +11,12 @@
 
 #include "core/math/statistics.h"
 #include "core/physics/registry.h"
+#include "problems/diagnosis/clean_rows.h"
 #include "problems/diagnosis/design_rows.h"
 #include "problems/diagnosis/projection.h"
 #include "problems/diagnosis/spectrum.h"
 #include "problems/fit_analysis.h"
 #include "problems/noise.h"
-#include "problems/prediction.h"
 
 namespace dhcal {
 namespace {
@@ -29,9 +29,30 @@ constexpr double kReplicates = 0.01;
 constexpr double kTestSigmas = 2;
 constexpr int kMostRunGroups = 20;  // more runs are put together
 
-double Rms(const VectorXd& whitened, double sigma) {
-  if (whitened.size() == 0) return kUnknown;
-  return sigma * std::sqrt(whitened.squaredNorm() / static_cast<double>(whitened.size()));
+double Rms(const CompleteFit& fit, const LeftOutRows& rows, const VectorXd& whitened) {
+  return RmsAsRead(fit.calibration, fit.fit.noise_seen, rows.recording_row(), whitened);
+}
+
+/// The length beyond which a reading's residual tells nothing more: as for outliers, 4.5 standard
+/// deviations of the residuals, or of the noise where they are smaller.
+double BoundOf(const VectorXd& whitened) {
+  constexpr double kSigmas = 4.5;
+  return kSigmas * std::max(1.0, RobustScale({whitened.begin(), whitened.end()}));
+}
+
+/// Residuals with each reading's cut to a length, so that one misreading has no more say than that.
+VectorXd Bounded(VectorXd residuals, int coordinates, double bound) {
+  for (Eigen::Index first = 0; first < residuals.size(); first += coordinates) {
+    const double length = residuals.segment(first, coordinates).norm();
+    if (length > bound) residuals.segment(first, coordinates) *= bound / length;
+  }
+  return residuals;
+}
+
+/// The test readings without the misread ones.
+std::vector<Reading> SoundTestReadings(const CompleteFit& before, const CompleteFit& after) {
+  const Calibration& c = after.calibration;
+  return WithoutRows(c, c.readings.test, MisreadTestRows(before, after));
 }
 
 /// Effect columns of each request, counted as in the calibration.
@@ -150,12 +171,11 @@ std::vector<std::vector<std::size_t>> Groups(const std::vector<EffectRequest>& e
   return groups;
 }
 
-void JudgeOnTestRows(const CompleteFit& before, const CompleteFit& after, DiagnosisResult* d) {
-  d->validation_method = "set column";
-  d->rms_test_before =
-      Statistics(before.calibration, before.state(), before.calibration.readings.test).rms;
-  d->rms_test_after =
-      Statistics(after.calibration, after.state(), after.calibration.readings.test).rms;
+void JudgeOnTestRows(const CompleteFit& before, const CompleteFit& after, Totals* totals) {
+  const std::vector<Reading> readings = SoundTestReadings(before, after);
+  totals->validation_method = "set column";
+  totals->rms_test_before = RmsOfReadings(before, readings);
+  totals->rms_test_after = RmsOfReadings(after, readings);
 }
 
 /// One sigma of each unknown, SI.
@@ -183,7 +203,10 @@ bool TestRowsSpeakAgainst(const CompleteFit& before, const CompleteFit& after) {
     return DesignRows(
         fit.calibration, fit.state(), after.fit.noise_seen, after.calibration.readings.test);
   };
-  const VectorXd old = rows_of(before).y(), now = rows_of(after).y();
+  const DesignRows rows = rows_of(after);
+  const double bound = BoundOf(rows.y());
+  const VectorXd old = Bounded(rows_of(before).y(), rows.coordinates(), bound);
+  const VectorXd now = Bounded(rows.y(), rows.coordinates(), bound);
   const double gain = old.squaredNorm() - now.squaredNorm();
   const double moved = (old - now).squaredNorm();
   return gain < 0 && gain < moved - kTestSigmas * 2 * std::sqrt(moved);
@@ -224,24 +247,23 @@ std::vector<std::size_t> Unhelpful(const std::vector<EffectRequest>& effects,
   return gone;
 }
 
-std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,
-                                      const CompleteFit& before,
-                                      const CompleteFit& after,
-                                      DiagnosisResult* d) {
-  const double sigma = after.fit.noise_seen.sigma;
+DescribedFindings DescribeFindings(const std::vector<EffectRequest>& effects,
+                                   const CompleteFit& before,
+                                   const CompleteFit& after) {
+  Totals totals;
   const EffectEstimates estimates = EstimateEffects(after);
   const Folds folds = MakeFolds(after.calibration);
   const LeftOutRows rows_after(after, folds);
   const VectorXd left_out = rows_after.Residuals({});
   const VectorXd fitted = rows_after.Fitted({});
   const LeftOutRows rows_before(before, folds);
-  d->validation_method = folds.method;
-  d->rms_train_before = Rms(rows_before.Fitted({}), before.fit.noise_seen.sigma);
-  d->rms_train_after = Rms(fitted, sigma);
-  d->rms_test_before = Rms(rows_before.Residuals({}), before.fit.noise_seen.sigma);
-  d->rms_test_after = Rms(left_out, sigma);
+  totals.validation_method = folds.method;
+  totals.rms_train_before = Rms(before, rows_before, rows_before.Fitted({}));
+  totals.rms_train_after = Rms(after, rows_after, fitted);
+  totals.rms_test_before = Rms(before, rows_before, rows_before.Residuals({}));
+  totals.rms_test_after = Rms(after, rows_after, left_out);
   const bool has_test = !after.calibration.readings.test.empty();
-  if (has_test) JudgeOnTestRows(before, after, d);
+  if (has_test) JudgeOnTestRows(before, after, &totals);
 
   const std::vector<std::vector<int>> columns = ColumnsOf(effects, after.calibration);
   const PhysicsContext context = after.calibration.Context();
@@ -269,13 +291,13 @@ std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,
     finding.driver = place.driver;
     const VectorXd fitted_without = rows_after.Fitted(own);
     const VectorXd left_out_without = rows_after.Residuals(own);
-    finding.rms_train_before = Rms(fitted_without, sigma);
-    finding.rms_train_after = d->rms_train_after;
-    finding.rms_test_before = Rms(left_out_without, sigma);
-    finding.rms_test_after = Rms(left_out, sigma);
+    finding.rms_train_before = Rms(after, rows_after, fitted_without);
+    finding.rms_train_after = totals.rms_train_after;
+    finding.rms_test_before = Rms(after, rows_after, left_out_without);
+    finding.rms_test_after = Rms(after, rows_after, left_out);
     if (has_test && own.size() == after.calibration.effect_columns.size()) {
-      finding.rms_test_before = d->rms_test_before;
-      finding.rms_test_after = d->rms_test_after;
+      finding.rms_test_before = totals.rms_test_before;
+      finding.rms_test_after = totals.rms_test_after;
     }
     LogPredictive(left_out_without, left_out, estimates.sigma_scale, &finding);
     const auto n = static_cast<double>(fitted.size());
@@ -286,7 +308,7 @@ std::vector<Finding> DescribeFindings(const std::vector<EffectRequest>& effects,
     finding.p_value = FTail(gain / k / (fitted.squaredNorm() / estimates.dof), k, estimates.dof);
     findings.push_back(finding);
   }
-  return findings;
+  return {findings, totals};
 }
 
 std::vector<MovedParameter> MovedParameters(const CompleteFit& before, const CompleteFit& after) {

@@ -62,7 +62,8 @@ int HypothesisSpace::AddEffect(const EffectRequest& request, bool in_maximum) {
   h.request = request;
   h.place = effect->Place(context_, request);
   h.family = FamilyOf(request);
-  h.in_maximum = in_maximum;
+  h.may_be_named = effect->Describe().may_be_named;
+  h.in_maximum = in_maximum && h.may_be_named;
   const std::vector<EffectColumn> columns = effect->Columns(context_, request);
   h.columns = AddColumns(Raw(columns));
   const double prior = columns.front().prior_sigma / columns.front().typical;

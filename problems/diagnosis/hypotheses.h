@@ -28,6 +28,7 @@ struct Hypothesis {
   ColumnRange columns;
   double prior_variance = 0;  // of a coefficient in units of its column; 0 = none
   bool in_maximum = true;
+  bool may_be_named = true;  // named
   /// Step instants, orders, time constants of one family differ only in settings.
   std::string family;
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/physics/columns.h"
 #include "core/physics/gravity.h"
 #include "problems/diagnosis/hypotheses.h"
 
@@ -27,11 +28,6 @@ struct Driver {
   std::vector<double> knots;
   Eigen::MatrixXd functions;  // rows x functions
 };
-
-bool Varies(const VectorXd& values) {
-  return values.size() > 0 && values.allFinite() &&
-         values.maxCoeff() - values.minCoeff() > 1e-9 * std::max(1.0, values.cwiseAbs().maxCoeff());
-}
 
 /// Knots at quantiles, so that every hat has rows under it.
 std::vector<double> Knots(const VectorXd& values, int count) {
@@ -84,9 +80,9 @@ std::vector<Driver> CommonDrivers(const PhysicsContext& c) {
   const Recording& rec = c.recording();
   std::vector<Driver> drivers;
   const auto add = [&](const std::string& name, const VectorXd& values) {
-    if (Varies(values)) drivers.push_back(Powers(name, values, 2));
+    if (!IsConstant(values)) drivers.push_back(Powers(name, values, 2));
   };
-  if (Varies(c.clock())) {
+  if (!IsConstant(c.clock())) {
     drivers.push_back(Curve(c.has_one_clock() ? "time" : "order of the rows", c.clock(), kKnots));
   }
   VectorXd payload(c.num_rows());
@@ -106,11 +102,11 @@ std::vector<Driver> OwnDrivers(const PhysicsContext& c, int joint, int own_knots
   const Recording& rec = c.recording();
   drivers.push_back(Curve(fmt::format("q{}", joint + 1), c.q(joint), own_knots));
   const VectorXd direction = c.direction().col(joint);
-  if (Varies(direction)) drivers.push_back(Powers("approach direction", direction, 1));
-  if (rec.speed.rows() > 0 && Varies(rec.speed.col(joint))) {
+  if (!IsConstant(direction)) drivers.push_back(Powers("approach direction", direction, 1));
+  if (rec.speed.rows() > 0 && !IsConstant(rec.speed.col(joint))) {
     drivers.push_back(Powers("joint speed", rec.speed.col(joint), 2));
   }
-  if (rec.torque.rows() > 0 && Varies(rec.torque.col(joint))) {
+  if (rec.torque.rows() > 0 && !IsConstant(rec.torque.col(joint))) {
     drivers.push_back(Powers("measured torque", rec.torque.col(joint), 3));
   }
   if (!c.robot().links.empty() && GravityLoads(c, joint)) {
@@ -120,15 +116,20 @@ std::vector<Driver> OwnDrivers(const PhysicsContext& c, int joint, int own_knots
   return drivers;
 }
 
-/// All products of two joint angles: interactions that no function of one angle describes.
+/// All products of two moving joints' angles: interactions that no function of one angle describes.
 Driver Products(const PhysicsContext& c) {
   Driver driver;
   driver.name = "products of joint angles";
-  const int n = c.num_joints();
+  std::vector<int> moving;
+  for (int joint = 0; joint < c.num_joints(); ++joint) {
+    if (c.moves(joint)) moving.push_back(joint);
+  }
+  const auto n = static_cast<Eigen::Index>(moving.size());
   driver.functions.resize(c.num_rows(), n * (n - 1) / 2);
   Eigen::Index col = 0;
-  for (int i = 0; i < n; ++i) {
-    for (int k = i + 1; k < n; ++k) {
+  for (std::size_t first = 0; first < moving.size(); ++first) {
+    for (std::size_t second = first + 1; second < moving.size(); ++second) {
+      const int i = moving[first], k = moving[second];
       const VectorXd a = c.q(i).array() - c.q(i).mean(), b = c.q(k).array() - c.q(k).mean();
       driver.functions.col(col++) = a.cwiseProduct(b);
     }
@@ -136,20 +137,18 @@ Driver Products(const PhysicsContext& c) {
   return driver;
 }
 
-/// A smooth warp of the instrument's space: all squares and cubes of the position. Of the nominal
-/// one: where the poses lie in a plane, the measured distance from it is the noise itself, which
-/// its own square would explain.
+/// A smooth warp of the instrument's space: all squares and cubes of the position.
 MapBlock Warp(const PhysicsContext& c) {
   constexpr double kFlat = 1e-6;  // of the largest extent
   Eigen::Matrix3Xd p(3, c.num_rows());
-  for (int row = 0; row < c.num_rows(); ++row) p.col(row) = c.nominal_p_WQ(row);
+  for (int row = 0; row < c.num_rows(); ++row) p.col(row) = c.p_WQ(row);
   p.colwise() -= p.rowwise().mean().eval();
   const Eigen::Vector3d extent = p.cwiseAbs().rowwise().maxCoeff();
   for (int i = 0; i < 3; ++i) {
     if (extent[i] < kFlat * extent.maxCoeff()) p.row(i).setZero();
   }
   Driver driver;
-  driver.name = "measured position";
+  driver.name = "position";
   driver.functions.resize(c.num_rows(), 16);
   Eigen::Index col = 0;
   for (int i = 0; i < 3; ++i) {
@@ -213,7 +212,7 @@ std::vector<MapBlock> MapBlocks(const PhysicsContext& c) {
   const Driver products = Products(c);
   std::vector<Driver> angles;
   for (int joint = 0; joint < c.num_joints(); ++joint) {
-    if (!Varies(c.q(joint))) continue;
+    if (!c.moves(joint)) continue;
     angles.push_back(Curve(fmt::format("q{}", joint + 1), c.q(joint), kKnots));
   }
   std::vector<MapBlock> blocks;
@@ -221,7 +220,7 @@ std::vector<MapBlock> MapBlocks(const PhysicsContext& c) {
     const int slot = c.joint_slot(joint);
     const std::string name = slots.Name(slot);
     const std::string own = fmt::format("q{}", joint + 1);
-    if (Varies(c.q(joint))) {
+    if (c.moves(joint)) {
       for (const Driver& driver : OwnDrivers(c, joint, own_knots)) {
         blocks.push_back(OnSlots(name, {slot}, driver));
       }
@@ -230,7 +229,7 @@ std::vector<MapBlock> MapBlocks(const PhysicsContext& c) {
       if (driver.name != own) blocks.push_back(OnSlots(name, {slot}, driver));
     }
     for (const Driver& driver : common) blocks.push_back(OnSlots(name, {slot}, driver));
-    if (c.num_joints() > 1) blocks.push_back(OnSlots(name, {slot}, products));
+    if (products.functions.cols() > 0) blocks.push_back(OnSlots(name, {slot}, products));
   }
   for (const auto& [name, frame_slots] : frames) {
     for (const Driver& driver : angles) blocks.push_back(OnSlots(name, frame_slots, driver));

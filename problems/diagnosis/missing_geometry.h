@@ -1,5 +1,5 @@
-// Geometric freedoms that the problem file holds fixed although the readings ask for them: named
-// as geometry before anything is called physics (physics.md X1).
+// Geometric freedoms that the problem file holds fixed although the readings ask for them
+// (physics.md X1), judged beside the physics that was found: strong physics asks for any of them.
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_MISSING_GEOMETRY_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_MISSING_GEOMETRY_H_
 
@@ -15,13 +15,14 @@ namespace dhcal {
 constexpr double kShareOfGeometry = 0.2;
 
 /// Tests axis_tilt, base_frame and tool_offset, as far as the file leaves them out, at the file's
-/// own fit; adds a finding for each that is needed, with its size from the complete fit.
-/// `readings`: those to judge by, without the ones that lie off. False if there was none to test.
-bool AddMissingGeometry(const ProblemSpec& spec,
+/// own geometry fitted together with the physics found (`diagnosis->model`); adds a finding for
+/// each that is needed, before the physics, with its size from `joint`: the complete geometry
+/// fitted with that physics. `readings`: those to judge by, outliers excluded.
+void AddMissingGeometry(const ProblemSpec& spec,
                         const Recording& recording,
                         const Result& identified,
-                        const CompleteFit& complete,
-                        const std::vector<Reading>& readings,
+                        const CompleteFit& joint,
+                        const Readings& readings,
                         DiagnosisResult* diagnosis);
 
 }  // namespace dhcal

@@ -16,8 +16,7 @@ namespace {
 constexpr double kZeroColumn = 1e-7;  // of the longest column
 // A reading met to a tenth of its noise is no outlier, however well the others are met.
 constexpr double kWithinNoise = 0.1;
-constexpr double kOutlier = 6.8e-6;     // probability per coordinate: 4.5 standard deviations
-constexpr double kMostOutliers = 0.05;  // of all readings
+constexpr double kOutlier = 6.8e-6;  // probability per coordinate: 4.5 standard deviations
 
 /// Left singular vectors of A above a cut, through a QR.
 Eigen::MatrixXd Basis(const Eigen::MatrixXd& A, double cut, bool relative) {
@@ -41,11 +40,13 @@ double MedianChiSquare(int dof) { return dof == 1 ? 0.4549 : dof == 2 ? 1.3863 :
 /// it. Does not depend on the axes along which the coordinates are counted.
 double StandardisedSquare(const Eigen::VectorXd& y,
                           const Eigen::MatrixXd& U,
+                          const Eigen::VectorXd& leverage,
                           Eigen::Index first,
                           int count) {
   constexpr double kLeastFree = 1e-3;
   const Eigen::MatrixXd own = U.middleRows(first, count);
-  const Eigen::MatrixXd free = Eigen::MatrixXd::Identity(count, count) - own * own.transpose();
+  Eigen::MatrixXd free = Eigen::MatrixXd::Identity(count, count) - own * own.transpose();
+  if (leverage.size() > 0) free.diagonal() -= leverage.segment(first, count);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(free);
   const Eigen::VectorXd along = eigen.eigenvectors().transpose() * y.segment(first, count);
   return along.cwiseAbs2().cwiseQuotient(eigen.eigenvalues().cwiseMax(kLeastFree)).sum();
@@ -71,14 +72,15 @@ Eigen::MatrixXd BasisAbove(const Eigen::MatrixXd& A, double cut) {
 
 std::vector<bool> FlagOutliers(const Eigen::VectorXd& y,
                                const Eigen::MatrixXd& U,
-                               int coordinates) {
+                               int coordinates,
+                               const OutlierRule& rule) {
   const auto num_readings = static_cast<std::size_t>(y.size() / coordinates);
   std::vector<bool> flagged(num_readings, false);
   // The three coordinates of a position, or of a rotation, go together.
   const int together = std::min(coordinates, 3);
   std::vector<double> squares;
   for (Eigen::Index first = 0; first < y.size(); first += together) {
-    squares.push_back(StandardisedSquare(y, U, first, together));
+    squares.push_back(StandardisedSquare(y, U, rule.leverage, first, together));
   }
   const double scale = Median(squares) / MedianChiSquare(together);
   if (!(scale > 0)) return flagged;
@@ -88,7 +90,7 @@ std::vector<bool> FlagOutliers(const Eigen::VectorXd& y,
     flagged[k * static_cast<std::size_t>(together) / static_cast<std::size_t>(coordinates)] = true;
   }
   const auto count = std::count(flagged.begin(), flagged.end(), true);
-  if (static_cast<double>(count) > kMostOutliers * static_cast<double>(num_readings)) {
+  if (static_cast<double>(count) > rule.most * static_cast<double>(num_readings)) {
     flagged.assign(num_readings, false);
   }
   return flagged;

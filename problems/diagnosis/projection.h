@@ -25,11 +25,18 @@ Eigen::MatrixXd ProjectOff(const Eigen::MatrixXd& U, const Eigen::MatrixBase<Der
   return v - U * (U.transpose() * v);
 }
 
+struct OutlierRule {
+  double most = 0.05;        // of all readings; more are no outliers, and none is flagged
+  Eigen::VectorXd leverage;  // per row, of what was taken out beside U; empty = nothing
+};
+
 /// Readings that lie further off than a coordinate is at 4.5 standard deviations, by the residuals'
 /// own spread (a misfit widens it). Positions and rotations are judged by their length, so that the
-/// axes of the measurement frame do not matter. None where they are so many that they are no
-/// outliers. `y`: whitened rows, projected off U.
-std::vector<bool> FlagOutliers(const Eigen::VectorXd& y, const Eigen::MatrixXd& U, int coordinates);
+/// axes of the measurement frame do not matter. `y`: whitened rows, projected off U.
+std::vector<bool> FlagOutliers(const Eigen::VectorXd& y,
+                               const Eigen::MatrixXd& U,
+                               int coordinates,
+                               const OutlierRule& rule = {});
 
 /// True if the flagged readings' residuals point along the motion of one joint, or of one axis of
 /// the tool, more than chance allows: then they are a local defect of that joint (a damaged tooth),

@@ -143,17 +143,26 @@ std::vector<EffectRequest> WithoutThose(const std::vector<std::size_t>& gone,
   return left;
 }
 
+/// Of the model that holds: a withdrawn one's are nobody's.
+void TakeTotals(const Totals& totals, DiagnosisResult* d) {
+  d->validation_method = totals.validation_method;
+  d->rms_train_before = totals.rms_train_before;
+  d->rms_train_after = totals.rms_train_after;
+  d->rms_test_before = totals.rms_test_before;
+  d->rms_test_after = totals.rms_test_after;
+}
+
 }  // namespace
 
-bool RefitAndJudge(const ProblemSpec& spec,
-                   const Recording& recording,
-                   const std::vector<Reading>& fitted,
-                   std::vector<EffectRequest> names,
-                   const std::function<void(const std::string&)>& say,
-                   DiagnosisResult* d) {
+Refitted RefitAndJudge(const ProblemSpec& spec,
+                       const Recording& recording,
+                       const std::vector<Reading>& fitted,
+                       std::vector<EffectRequest> names,
+                       const std::function<void(const std::string&)>& say,
+                       DiagnosisResult* d) {
   Refit refit(spec, recording, fitted);
   const auto before = refit.With({}, nullptr);
-  if (!before->usable()) return true;
+  if (!before->usable()) return {nullptr, true};
   bool withdrawn = false;
   std::vector<EffectRequest> shapes = names;  // the names as they are fitted
   while (!names.empty()) {
@@ -161,7 +170,7 @@ bool RefitAndJudge(const ProblemSpec& spec,
     auto after = refit.With(shapes, before.get());
     if (!after->usable()) {
       d->notes.push_back("The fit with the named effects failed: " + after->fit.summary.message);
-      return true;
+      return {nullptr, true};
     }
     std::vector<std::size_t> gone = Unhelpful(shapes, *after);
     if (gone.empty()) {
@@ -169,17 +178,19 @@ bool RefitAndJudge(const ProblemSpec& spec,
       gone = Unhelpful(shapes, *after);
     }
     if (gone.empty()) {
-      std::vector<Finding> findings = DescribeFindings(shapes, *before, *after, d);
+      auto [findings, totals] = DescribeFindings(shapes, *before, *after);
       NameFreed(shapes, names, &findings);
       const bool hold = after->calibration.readings.test.empty()
-                            ? d->rms_test_after < d->rms_test_before
+                            ? totals.rms_test_after < totals.rms_test_before
                             : !TestRowsSpeakAgainst(*before, *after);
       if (hold) {
         std::move(findings.begin(), findings.end(), std::back_inserter(d->findings));
+        TakeTotals(totals, d);
         d->model = WithValues(shapes, *after);
         const std::vector<MovedParameter> moved = MovedParameters(*before, *after);
         d->moved.insert(d->moved.end(), moved.begin(), moved.end());
-        return withdrawn || refit.IsAboveNoise(*after);
+        const bool rest_left = withdrawn || refit.IsAboveNoise(*after);
+        return {std::move(after), rest_left};
       }
       gone = LeastHelpful(findings, names);
     }
@@ -188,7 +199,7 @@ bool RefitAndJudge(const ProblemSpec& spec,
     names = WithoutThose(gone, names);
     shapes = WithoutThose(gone, shapes);
   }
-  return withdrawn;
+  return {nullptr, withdrawn};
 }
 
 }  // namespace dhcal

@@ -23,7 +23,6 @@ constexpr double kImmaterialSamePlace = 0.04 * 0.04;
 // No maximum of a few hundred normal scores comes near.
 constexpr double kHopeless = 7.0;
 constexpr double kShareOfScan = 0.2;  // of the false-alarm rate
-constexpr char kScaleClass[] = "C7";
 constexpr std::size_t kMostRefined = 4;
 // Lines of one joint's gear that are followed.
 constexpr int kMostLines = 8;
@@ -51,10 +50,8 @@ void SetTester::Rebuild() {
       options_.nu, options_.sigma_known, options_.draws, options_.seed, tests_.get()));
   names_.clear();
   for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
-    // A scale is what free lengths can always do: its column holds the residual itself, and to name
-    // it would be wrong by construction (physics.md, finding 2).
-    if (at(k).place.effect_class == kScaleClass) continue;
-    if (at(k).named && MayBeNamed(at(k).request.effect)) names_.push_back(k);
+    const Hypothesis& h = at(k);
+    if (h.named && h.may_be_named && MayBeNamed(h.request.effect)) names_.push_back(k);
   }
   const std::vector<BlockScore> scores = tests_->Scores({});
   order_.resize(scores.size());

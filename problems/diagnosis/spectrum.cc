@@ -169,10 +169,7 @@ SpectralPeak HighestPeak(const PhysicsContext& c, const JointSums& sums, int joi
   return peak;
 }
 
-bool IsScanned(const PhysicsContext& c, int joint) {
-  const VectorXd q = c.q(joint);
-  return c.revolute(joint) && q.size() > 0 && q.maxCoeff() - q.minCoeff() > 1e-6;
-}
+bool IsScanned(const PhysicsContext& c, int joint) { return c.revolute(joint) && c.moves(joint); }
 
 }  // namespace
 

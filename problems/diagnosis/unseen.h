@@ -30,13 +30,16 @@ class LeftOutRows {
  public:
   LeftOutRows(const CompleteFit& fit, const Folds& folds);
 
-  /// Residuals of each reading predicted from the other folds; whitened, rows as in the
-  /// calibration's readings. `dropped` (may be empty): effect columns that the model may not use.
+  /// Residuals of each reading predicted from the other folds; whitened, rows as in DesignRows
+  /// (with shared poses, each series has one more than it has readings). `dropped` (may be empty):
+  /// effect columns that the model may not use.
   Eigen::VectorXd Residuals(const std::vector<int>& dropped) const;
   /// The same rows as fitted.
   Eigen::VectorXd Fitted(const std::vector<int>& dropped) const;
   /// Squares of `Residuals` at a cost that does not depend on the rows.
   double Squares(const std::vector<int>& dropped) const;
+  /// Row of the recording of each of these residuals.
+  const std::vector<int>& recording_row() const { return model_.recording_row; }
 
  private:
   std::vector<int> Kept(const std::vector<int>& dropped) const;

@@ -21,7 +21,6 @@
 namespace dhcal {
 namespace {
 
-constexpr std::size_t kMostMapEntries = 40;
 constexpr double kWorthMeasuring = 3;  // standard deviations of a coordinate
 
 const Hypothesis& At(const HypothesisSpace& space, int idx) {
@@ -30,7 +29,19 @@ const Hypothesis& At(const HypothesisSpace& space, int idx) {
 
 bool IsPhysics(const Finding& finding) { return finding.effect_class != "geometry"; }
 
-void FillMap(const HypothesisSpace& space, const SearchOutcome& out, DiagnosisResult* d) {
+/// Root mean square of what a cell would explain, as read [m].
+double RmsOfCell(const CompleteFit& geometry, const HypothesisSpace& space, int cell) {
+  const Eigen::MatrixXd basis = space.BasisOf({cell});
+  const Eigen::VectorXd explained = basis * (basis.transpose() * space.y());
+  return RmsAsRead(
+      geometry.calibration, geometry.fit.noise_seen, space.rows().now_row(), explained);
+}
+
+void FillMap(const CompleteFit& geometry,
+             const HypothesisSpace& space,
+             const SearchOutcome& out,
+             DiagnosisResult* d) {
+  std::vector<int> cells;
   for (std::size_t k = 0; k < out.scores.size() && k < space.all().size(); ++k) {
     const Hypothesis& h = space.all()[k];
     const BlockScore& score = out.scores[k];
@@ -41,13 +52,16 @@ void FillMap(const HypothesisSpace& space, const SearchOutcome& out, DiagnosisRe
     entry.statistic = score.Q;
     entry.dof = score.k;
     entry.p_value = score.p;
-    entry.rms = d->misfit.noise_sigma * std::sqrt(score.Q / static_cast<double>(space.y().size()));
     d->map.push_back(entry);
+    cells.push_back(static_cast<int>(k));
   }
+  ParallelFor(static_cast<int>(cells.size()), [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    d->map[at].rms = RmsOfCell(geometry, space, cells[at]);
+  });
   std::sort(d->map.begin(), d->map.end(), [](const MapEntry& a, const MapEntry& b) {
     return a.p_value != b.p_value ? a.p_value < b.p_value : a.statistic > b.statistic;
   });
-  if (d->map.size() > kMostMapEntries) d->map.resize(kMostMapEntries);
 }
 
 void FillHypotheses(const HypothesisSpace& space, const SearchOutcome& out, DiagnosisResult* d) {
@@ -260,21 +274,17 @@ void AddUnexplained(const HypothesisSpace& space,
   }
   if (block < 0) return;
   d->unexplained = Curve(space, names, block, sigma_scale);
-  // What the names that are left remove, by the refit; in whitened squares.
-  const double sigma = d->misfit.noise_sigma;
-  const auto n = static_cast<double>(space.y().size());
-  const double all = std::max(out.removed_by_all, 1e-300);
-  double named = 0;
-  if (std::isfinite(d->rms_train_after)) {
-    named = n *
-            (d->rms_train_before * d->rms_train_before - d->rms_train_after * d->rms_train_after) /
-            (sigma * sigma);
+  const double noise = sigma_scale * d->misfit.noise_sigma;
+  const auto above_noise = [&](double rms) { return std::max(rms * rms - noise * noise, 0.0); };
+  if (!std::isfinite(d->rms_train_after)) {
+    const auto n = static_cast<double>(space.y().size());
+    d->unexplained->fraction = 1;
+    d->unexplained->rms = d->misfit.noise_sigma * std::sqrt(out.removed_by_all / n);
+    return;
   }
-  // A refit of many unknowns may remove more than the search's descriptions could: what these add
-  // to the names is left all the same.
-  const double left = std::max(all - named, out.removed_by_all - out.removed_by_names);
-  d->unexplained->fraction = std::min(left / all, 1.0);
-  d->unexplained->rms = sigma * std::sqrt(left / n);
+  const double before = above_noise(d->rms_train_before), after = above_noise(d->rms_train_after);
+  d->unexplained->fraction = before > 0 ? std::min(after / before, 1.0) : 1.0;
+  d->unexplained->rms = std::sqrt(after);
 }
 
 void AddHidden(const Elsewhere& elsewhere,
@@ -350,7 +360,7 @@ void Conclude(const CompleteFit& geometry,
       d->misfit.noise_known
           ? 1.0
           : std::sqrt((space.y().squaredNorm() - outcome.removed_by_all) / d->misfit.dof);
-  FillMap(space, outcome, d);
+  FillMap(geometry, space, outcome, d);
   FillHypotheses(space, outcome, d);
   const Elsewhere elsewhere(
       geometry.calibration, geometry.state(), space, geometry.calibration.parameters);

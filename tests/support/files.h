@@ -12,6 +12,9 @@ std::string SourcePath(const std::string& relative);
 /// Folder of the real recordings (environment variable DHCAL_DATA), or "".
 std::string DataDir();
 
+/// Folder of the cases recorded elsewhere (environment variable DHCAL_SHARED), or "".
+std::string SharedDir();
+
 }  // namespace dhcal
 
 #endif  // DHCAL_TESTS_SUPPORT_FILES_H_

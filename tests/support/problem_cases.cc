@@ -12,20 +12,30 @@
 #include "tests/support/files.h"
 
 namespace dhcal {
+namespace {
+
+std::string FolderFrom(const char* variable) {
+  const char* const folder = std::getenv(variable);
+  return folder == nullptr ? "" : folder;
+}
+
+}  // namespace
 
 std::string SourcePath(const std::string& relative) {
   return std::string(DHCAL_SOURCE_DIR) + "/" + relative;
 }
 
-std::string DataDir() {
-  const char* const folder = std::getenv("DHCAL_DATA");
-  return folder == nullptr ? "" : folder;
-}
+std::string DataDir() { return FolderFrom("DHCAL_DATA"); }
+
+std::string SharedDir() { return FolderFrom("DHCAL_SHARED"); }
 
 ProblemSpec LoadCase(const std::string& name) {
+  return LoadProblem(SourcePath("problems/cases/" + name + ".yaml"));
+}
+
+ProblemSpec LoadProblem(const std::string& file) {
   Diagnostics diagnostics;
-  const auto spec =
-      ReadProblemFile(SourcePath("problems/cases/" + name + ".yaml"), DataDir(), &diagnostics);
+  const auto spec = ReadProblemFile(file, DataDir(), &diagnostics);
   CHECK(spec.has_value()) << diagnostics.ToString();
   return *spec;
 }

@@ -14,6 +14,9 @@ namespace dhcal {
 /// The problem of problems/cases/<name>.yaml; the test fails on any input error.
 ProblemSpec LoadCase(const std::string& name);
 
+/// The problem of any file.
+ProblemSpec LoadProblem(const std::string& file);
+
 /// Its recording, simulated or read.
 Recording RecordingOf(const ProblemSpec& spec);
 

@@ -105,7 +105,11 @@ Outcome RunJob(const Job& job, bool quiet) {
   outcome.problem = job.spec.name;
   outcome.result = IdentifyGeometry(job.spec, job.recording, progress);
   if (WantsDiagnosis(job.spec, outcome.result)) {
-    outcome.result.diagnosis = Diagnose(job.spec, job.recording, outcome.result, progress);
+    outcome.result.diagnosis =
+        Guarded([&] { return Diagnose(job.spec, job.recording, outcome.result, progress); });
+    if (outcome.result.diagnosis->verdict == DiagnosisVerdict::kFailed) {
+      std::cerr << job.spec.name << ": warning: " << outcome.result.diagnosis->summary << ".\n";
+    }
   }
   const std::string report = TextReport(job.spec, outcome.result);
   if (!quiet) std::cout << report << std::flush;

@@ -29,17 +29,15 @@ Errors ErrorsOf(const Sum& before, const Sum& after) {
 
 /// Per fold, then over all: whitened residuals times sigma.
 std::vector<Sum> SumsByFold(const CompleteFit& fit, const Folds& folds) {
-  const Eigen::VectorXd residuals = LeftOutRows(fit, folds).Residuals({});
-  const std::vector<Reading>& readings = fit.calibration.readings.fitted;
-  const Eigen::Index coordinates = residuals.size() / static_cast<Eigen::Index>(readings.size());
+  const LeftOutRows rows(fit, folds);
+  const Eigen::VectorXd residuals = rows.Residuals({});
+  const int coordinates = NumCoordinates(fit.calibration.spec.measurement.kind);
   std::vector<Sum> sums(static_cast<std::size_t>(folds.count) + 1);
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    const int row = readings[k].row_idx;
+  for (Eigen::Index first = 0; first < residuals.size(); first += coordinates) {
+    const int row = rows.recording_row()[static_cast<std::size_t>(first)];
     const double sigma = fit.calibration.RowSigma(row, fit.fit.noise_seen);
-    const Eigen::Index lengths = std::min<Eigen::Index>(coordinates, 3);
     const double square =
-        sigma * sigma *
-        residuals.segment(static_cast<Eigen::Index>(k) * coordinates, lengths).squaredNorm();
+        sigma * sigma * residuals.segment(first, std::min(coordinates, 3)).squaredNorm();
     for (Sum* sum : {&sums[static_cast<std::size_t>(folds.of_row[static_cast<std::size_t>(row)])],
                      &sums.back()}) {
       sum->square += square;

@@ -15,7 +15,7 @@ namespace dhcal {
 
 /// Errors of predicted points over some rows, geometry alone and with the physics.
 struct Errors {
-  int rows = 0;
+  int rows = 0;                                // poses where they are shared by differences
   double before = kUnknown, after = kUnknown;  // [m] 3-D RMS (of one coordinate for distances)
 };
 

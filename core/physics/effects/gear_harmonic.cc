@@ -36,7 +36,7 @@ class GearHarmonicEffect final : public Effect {
     if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     if (!c.revolute(JointIndex(request))) return "the joint is prismatic";
     if (!(request.setting("order", 1) > 0)) return "the order must be positive";
-    return IsConstant(c.q(JointIndex(request))) ? "the joint does not move" : "";
+    return c.moves(JointIndex(request)) ? "" : "the joint does not move";
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {

@@ -32,7 +32,7 @@ class GravityBalancerEffect final : public Effect {
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
     if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     if (!c.revolute(JointIndex(request))) return "the joint is prismatic";
-    return IsConstant(c.q(JointIndex(request))) ? "the joint does not move" : "";
+    return c.moves(JointIndex(request)) ? "" : "the joint does not move";
   }
 
   std::vector<EffectColumn> Columns(const PhysicsContext& c,

@@ -31,7 +31,7 @@ class JointCouplingEffect final : public Effect {
     if (driver < 0 || driver >= c.num_joints() || driver == JointIndex(request)) {
       return fmt::format("needs another joint from 1 to {} as driver_joint", c.num_joints());
     }
-    return IsConstant(c.q(driver)) ? "the driving joint does not move" : "";
+    return c.moves(driver) ? "" : "the driving joint does not move";
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {

@@ -27,7 +27,7 @@ class JointGainEffect final : public Effect {
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
     if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
-    return IsConstant(c.q(JointIndex(request))) ? "the joint does not move" : "";
+    return c.moves(JointIndex(request)) ? "" : "the joint does not move";
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {

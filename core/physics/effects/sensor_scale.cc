@@ -2,6 +2,8 @@
 //
 //   reading = (1 + e) p, so base_xyz += e p_WQ           e [1]
 //
+// with p_WQ as the model predicts it.
+//
 // With free lengths, base and tool it is exactly the same as a larger robot: no reading of this
 // kind shows it, and the report always says so. It can be switched on where a length is held fixed
 // or a prior is given. Typical: 1-50 ppm. Source: physics.md S1, L1, finding 2. Worked number: e =
@@ -26,6 +28,7 @@ class SensorScaleEffect final : public Effect {
                         "",
                         "1-50 ppm [physics.md S1, L1]; never visible with free lengths"};
     d.has_joint = false;
+    d.may_be_named = false;
     return d;
   }
   std::string NotTestable(const PhysicsContext& /*c*/,

@@ -54,7 +54,7 @@ class TransmissionErrorEffect final : public Effect {
     if (!c.revolute(JointIndex(request))) return "the joint is prismatic";
     const double knot_deg = request.setting("knot_deg", kDefaultKnot_deg);
     if (!(knot_deg >= 0.5 && knot_deg <= 60)) return "knot_deg must be from 0.5 to 60";
-    return IsConstant(c.q(JointIndex(request))) ? "the joint does not move" : "";
+    return c.moves(JointIndex(request)) ? "" : "the joint does not move";
   }
 
   std::vector<EffectColumn> Columns(const PhysicsContext& c,

@@ -20,11 +20,15 @@ Json MisfitToJson(const Misfit& misfit) {
   Set("statistic", misfit.statistic, &object);
   Set("dof", misfit.dof, &object);
   Set("p_value", misfit.p_value, &object);
+  Set("p_floor", misfit.p_floor, &object);
   Set("noise_sigma_m", misfit.noise_sigma, &object);
   object["noise_known"] = misfit.noise_known;
   Set("rms_m", misfit.rms, &object);
   SetCount("rows", misfit.rows, &object);
   SetCount("outliers", misfit.outliers, &object);
+  Json rows = Json::array();
+  for (const int row : misfit.outlier_rows) rows.push_back(row + 1);
+  object["outlier_rows"] = std::move(rows);
   return object;
 }
 

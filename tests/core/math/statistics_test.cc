@@ -56,6 +56,39 @@ TEST(ChiSquareTail, AgreesWithTheTable) {
   EXPECT_NEAR(ChiSquareTail(124.342, 100), 0.05, 5e-6);
 }
 
+TEST(RemovalTail, OfAllSquaresIsNearZeroAndFinite) {
+  for (const double left : {0.0, 1e-300, 1e-12, -1e-9}) {
+    const double p = RemovalTail(5e5 - left, 1, 5e5, 1322);
+    EXPECT_GE(p, 0) << left;
+    EXPECT_LT(p, 1e-300) << left;
+  }
+}
+
+TEST(Tails, OfInfiniteStatisticsAreZeroAndOfNoNumberOne) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(FTail(kInfinity, 3, 100), 0);
+  EXPECT_EQ(FTail(-kInfinity, 3, 100), 1);
+  EXPECT_EQ(FTail(nan, 3, 100), 1);
+  EXPECT_EQ(FTail(2, 0, 100), 1);
+  EXPECT_EQ(FTail(2, 3, 0), 1);
+  EXPECT_NEAR(FTail(2, 3, kInfinity), ChiSquareTail(6, 3), 1e-12);
+  EXPECT_EQ(ChiSquareTail(kInfinity, 3), 0);
+  EXPECT_EQ(ChiSquareTail(nan, 3), 1);
+  EXPECT_EQ(ChiSquareTail(1, 0), 1);
+  EXPECT_EQ(RemovalTail(kInfinity, 3, kInfinity, 100), 1) << "infinity of infinity is no number";
+  EXPECT_EQ(RemovalTail(nan, 3, 10, 100), 1);
+}
+
+TEST(Scores, OfInfiniteStatisticsAreHighAndOfNoNumberTheLowest) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_GT(FScore(kInfinity, 3, 100), FScore(1e6, 3, 100));
+  EXPECT_TRUE(std::isfinite(FScore(kInfinity, 3, 100)));
+  EXPECT_GT(ChiSquareScore(kInfinity, 3), 1e6);
+  EXPECT_TRUE(std::isfinite(ChiSquareScore(kInfinity, 3)));
+  EXPECT_EQ(FScore(nan, 3, 100), FScore(0, 3, 100));
+  EXPECT_EQ(ChiSquareScore(nan, 3), ChiSquareScore(0, 3));
+}
+
 TEST(RemovalTail, IsTheFTestOfWhatColumnsRemove) {
   // Two columns take 30 of 100 squares, 18 freedoms keep the rest: F = 15 / (70 / 18).
   EXPECT_DOUBLE_EQ(RemovalTail(30, 2, 100, 20), FTail(15.0 / (70.0 / 18), 2, 18));

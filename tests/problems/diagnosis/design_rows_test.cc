@@ -14,6 +14,7 @@
 #include "residuals/registry.h"
 #include "tests/support/recorder.h"
 #include "tests/support/robots.h"
+#include "tools/support/study_scenarios.h"
 
 namespace dhcal {
 namespace {
@@ -110,6 +111,34 @@ TEST(OrthonormalBasis, MakesNoDirectionsOutOfRounding) {
   J.col(2).setConstant(1e-13);
   J.col(3) = J.col(0) + 2 * J.col(1);
   EXPECT_EQ(OrthonormalBasis(J).cols(), 2);
+}
+
+TEST(RmsAsRead, IsOfTheLengthsByEachRowsOwnSigma) {
+  Draw draw = MakeDraw(Scenario(), 1);
+  draw.recording.sigma.setConstant(draw.recording.num_rows(), 1e-3);
+  draw.recording.sigma[1] = 3e-3;
+  Calibration c(draw.spec, draw.recording);
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(6);
+  const double expected = std::sqrt((1e-6 + 9e-6) / 2);
+  EXPECT_NEAR(RmsAsRead(c, {}, {0, 0, 0, 1, 1, 1}, ones), expected, 1e-15);
+  draw.spec.measurement.kind = KindNamed("pose");
+  Eigen::VectorXd pose = Eigen::VectorXd::Ones(12);
+  pose.segment(3, 3).setConstant(100);
+  EXPECT_NEAR(RmsAsRead(c, {}, {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1}, pose), expected, 1e-15);
+  EXPECT_TRUE(std::isnan(RmsAsRead(c, {}, {}, {})));
+}
+
+TEST(FlagOutliers, WhatWasTakenOutOfARowMakesItStandOutMore) {
+  // A row of which a free offset takes half: the same residual is larger by the root of two.
+  Rng rng(7);
+  Eigen::VectorXd y(300);
+  for (double& value : y) value = rng.Normal();
+  y.segment<3>(30) = Eigen::Vector3d(4, 0, 0);
+  OutlierRule rule;
+  EXPECT_FALSE(FlagOutliers(y, Eigen::MatrixXd(300, 0), 3, rule)[10]);
+  rule.leverage = Eigen::VectorXd::Zero(300);
+  rule.leverage.segment<3>(30).setConstant(0.5);
+  EXPECT_TRUE(FlagOutliers(y, Eigen::MatrixXd(300, 0), 3, rule)[10]);
 }
 
 TEST(FlagOutliers, FindsTheOddReadingsAndNoOthers) {

@@ -41,6 +41,29 @@ TEST(Diagnose, CleanDataIsConsistentWithLimitsAndRisks) {
   }
 }
 
+TEST(Diagnose, TheMapIsWhole) {
+  const Draw draw = MakeDraw(With(Request("joint_compliance", 2, {{"compliance", 3e-6}})), 1);
+  const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
+  // Six joints' slots, base and tool: six angles each, and more.
+  EXPECT_GE(d.map.size(), 48);
+}
+
+TEST(Diagnose, ThePartNotExplainedIsThatOfTheTwoRmsAboveTheNoise) {
+  Scenario scenario = With(Request("joint_compliance", 2, {{"compliance", 3e-6}}));
+  scenario.outside = [](const PhysicsContext& c, int row, Eigen::VectorXd* delta) {
+    const double x = (c.recording().q(row, 2) / kDegree - 15) / 10;
+    (*delta)[c.slots().joint(2, JointSlot::kTheta)] += 0.6e-3 * std::exp(-0.5 * x * x);
+  };
+  const Draw draw = MakeDraw(scenario, 8);
+  const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
+  ASSERT_EQ(d.verdict, DiagnosisVerdict::kPartlyExplained) << d.summary;
+  ASSERT_TRUE(d.unexplained.has_value());
+  const double noise = std::pow(draw.spec.measurement.sigma.value(), 2);
+  const double before = std::pow(d.rms_train_before, 2), after = std::pow(d.rms_train_after, 2);
+  EXPECT_NEAR(d.unexplained->fraction, (after - noise) / (before - noise), 1e-9);
+  EXPECT_NEAR(d.unexplained->rms, std::sqrt(after - noise), 1e-12);
+}
+
 TEST(Diagnose, ScaleIsNeverVisible) {
   const Draw draw = MakeDraw(Scenario(), 2);
   const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
@@ -225,6 +248,17 @@ TEST(Diagnose, SeriallyCorrelatedNoiseIsNoDriftAndNoStep) {
     accused += d.verdict == DiagnosisVerdict::kConsistent ? 0 : 1;
   }
   EXPECT_LE(accused, 1);
+}
+
+// Its column once held what was measured, and so the residual itself: it accused every such robot.
+TEST(Diagnose, WhatMayNotBeNamedDoesNotAccuse) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    Scenario coarse;
+    coarse.sigma = 3e-3;  // of a robot of 2 m reach
+    const Draw draw = MakeDraw(coarse, seed);
+    const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
+    EXPECT_EQ(d.verdict, DiagnosisVerdict::kConsistent) << seed << ": " << d.summary;
+  }
 }
 
 TEST(WantsDiagnosis, NotOfSimulationsWithoutNoise) {

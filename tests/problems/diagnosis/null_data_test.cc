@@ -1,6 +1,7 @@
 // Recordings with nothing left out, of shapes that once were accused or not survived.
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -73,6 +74,24 @@ TEST(NullData, OneMisreadingDoesNotAccuseTheGeometry) {
     EXPECT_EQ(d.misfit.outliers, 1);
   }
   EXPECT_EQ(accused, 0);
+}
+
+// A pose's error is in the two differences that it shares.
+TEST(NullData, OneMisreadSharedPoseIsSetAsideAsAPositionIs) {
+  for (const bool shared : {false, true}) {
+    Scenario scenario;
+    scenario.poses = 120;
+    if (shared) {
+      scenario.kind = "adjacent_position";
+      scenario.noise = NoiseKind::kSharedPose;
+    }
+    Draw draw = MakeDraw(scenario, 5);
+    draw.recording.p_WQ(50, 0) += 1.5e-3;
+    const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
+    EXPECT_EQ(d.verdict, DiagnosisVerdict::kConsistent) << shared << ": " << d.summary;
+    EXPECT_EQ(d.misfit.outlier_rows, std::vector<int>{50}) << shared;
+    EXPECT_EQ(d.misfit.outliers, 1) << shared;
+  }
 }
 
 // The payload's column exists in the recording, and not at the poses elsewhere.

@@ -1,6 +1,8 @@
 // The refit judges what named effects leave in the units of each kind of reading.
 #include "problems/diagnosis/refit.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "residuals/registry.h"
@@ -39,6 +41,20 @@ TEST(Refit, PosesAreJudgedByBothTheirNoises) {
 TEST(Refit, DifferencesOfSharedReadingsAreJudgedByTheReadingsNoise) {
   const ProblemSpec spec = YieldingJoint(KindNamed("adjacent_position"), NoiseKind::kSharedPose);
   ExpectOnlyTheYieldingJoint(Diagnosed(spec, RecordingOf(spec)));
+}
+
+TEST(Refit, AWithdrawnModelLeavesNoTotals) {
+  const Draw draw = MakeDraw(Scenario(), 3);
+  const Calibration c(draw.spec, draw.recording);
+  DiagnosisResult d;
+  const Refitted refitted = RefitAndJudge(
+      draw.spec, draw.recording, c.readings.fitted, {Request("joint_gain", 3)}, [](auto&) {}, &d);
+  ASSERT_EQ(refitted.fit, nullptr) << "there is no such effect";
+  EXPECT_TRUE(refitted.rest_left);
+  EXPECT_TRUE(d.findings.empty());
+  EXPECT_TRUE(std::isnan(d.rms_train_after));
+  EXPECT_TRUE(std::isnan(d.rms_test_after));
+  EXPECT_EQ(d.validation_method, "");
 }
 
 TEST(Refit, AnEffectThatTheFileSwitchesOnIsNeitherFoundAgainNorARisk) {

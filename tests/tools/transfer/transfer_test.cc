@@ -2,9 +2,11 @@
 #include "tools/transfer/transfer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "core/base/rng.h"
 #include "problems/diagnosis/complete_fit.h"
 #include "problems/prediction.h"
 #include "tools/study/scenarios.h"
@@ -57,6 +59,27 @@ TEST(PredictBlocks, ImprovesEveryBlockByWhatWasLeftOut) {
       draw.spec, draw.recording, {Request("joint_compliance", 2, {{"compliance", 3e-6}})}, 3, {});
   ASSERT_EQ(errors.size(), 4);
   for (const Errors& block : errors) EXPECT_LT(block.after, 0.5 * block.before);
+}
+
+// Each series of shared poses has a row more than it has differences.
+TEST(PredictBlocks, OfSharedPosesAreOfTheirOwnRows) {
+  Scenario scenario;
+  scenario.kind = MeasurementKind::kAdjacentPosition;
+  scenario.noise = NoiseKind::kSharedPose;
+  scenario.runs = 10;
+  Draw draw = MakeDraw(scenario, 4);
+  // Only the last of two blocks is bad.
+  const int n = draw.recording.num_rows();
+  Rng rng(8);
+  for (int row = n / 2; row < n; ++row) {
+    for (int k = 0; k < 3; ++k) draw.recording.p_WQ(row, k) += 1e-3 * rng.Normal();
+  }
+  const auto errors = PredictBlocks(draw.spec, draw.recording, {}, 2, {});
+  ASSERT_EQ(errors.size(), 3);
+  EXPECT_EQ(errors[0].rows, n / 2);
+  EXPECT_EQ(errors[1].rows, n / 2);
+  EXPECT_EQ(errors[2].rows, n);
+  EXPECT_GT(errors[1].after, 0.8e-3 * std::sqrt(3.0));
 }
 
 TEST(TransferTo, CarriesPhysicsButNoInstantsToAnotherRecording) {
