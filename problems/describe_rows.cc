@@ -54,6 +54,8 @@ RowResidual DescribeRow(const Calibration& c,
   if (row.residual.size() == 6) {
     row.standardised.tail<3>() = row.residual.tail<3>() / analysis.noise.sigma_rotation;
   }
+  row.length = row.residual.head(std::min<Eigen::Index>(row.residual.size(), 3)).norm();
+  row.sigmas = row.standardised.lpNorm<Eigen::Infinity>();
   return row;
 }
 

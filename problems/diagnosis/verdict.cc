@@ -188,6 +188,7 @@ Unexplained Curve(const HypothesisSpace& space,
   Unexplained rest;
   rest.slot = h.slot;
   rest.driver = h.driver;
+  rest.driver_unit = h.driver_unit;
   if (h.driver_values.size() == 0 || h.knots.size() < 2) return rest;
   std::vector<double> knots;
   const auto count = std::min<std::size_t>(kCurveKnots, h.knots.size());
@@ -216,7 +217,7 @@ Unexplained Curve(const HypothesisSpace& space,
     if (removed <= best) continue;
     best = removed;
     rest.slot = name;
-    rest.unit = slots.is_angle(slot) ? "rad" : "m";
+    rest.unit = slots.is_angle(slot) ? Unit::kRadian : Unit::kMetre;
     rest.curve.clear();
     for (Eigen::Index k = 0; k < amount.size(); ++k) {
       rest.curve.push_back({knots[static_cast<std::size_t>(k)],

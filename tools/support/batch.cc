@@ -16,9 +16,13 @@
 #include "core/io/recording_reader.h"
 #include "core/io/result_writer.h"
 #include "core/io/solver_reader.h"
-#include "core/report/text_report.h"
+#include "core/report/report.h"
+#include "core/report/summary_table.h"
+#include "core/report/text_renderer.h"
+#include "core/report/text_table.h"
 #include "problems/diagnosis/diagnose.h"
 #include "problems/identify.h"
+#include "problems/judgement.h"
 #include "problems/simulate.h"
 #include "tools/support/progress_printer.h"
 
@@ -106,12 +110,12 @@ Outcome RunJob(const Job& job, bool quiet) {
   outcome.result = IdentifyGeometry(job.spec, job.recording, progress);
   if (WantsDiagnosis(job.spec, outcome.result)) {
     outcome.result.diagnosis = Diagnose(job.spec, job.recording, outcome.result, progress);
+    outcome.result.intervals = JudgeIntervals(outcome.result);
   }
-  const std::string report = TextReport(job.spec, outcome.result);
-  if (!quiet) std::cout << report << std::flush;
+  if (!quiet) std::cout << ToText(ReportOf(job.spec, outcome.result)) << std::flush;
 
   Diagnostics diagnostics;
-  if (!WriteResult(job.spec, job.recording, outcome.result, report, job.directory, &diagnostics)) {
+  if (!WriteResult(job.spec, job.recording, outcome.result, job.directory, &diagnostics)) {
     std::cerr << diagnostics.ToString();
     outcome.exit_status = kExitBadInput;
     outcome.status = "not written";
@@ -164,7 +168,7 @@ int RunBatch(const CommandLine& command_line) {
     for (const Outcome& outcome : outcomes) {
       rows.push_back({outcome.problem, outcome.status, &outcome.result});
     }
-    std::cout << SummaryTable(rows);
+    std::cout << ToText(SummaryTable(rows));
   }
   return exit_status;
 }
