@@ -1,4 +1,4 @@
-// Reads `parameters.effects`, `simulate.effects` and `diagnosis` (shared formats, section 2).
+// Reads `parameters.effects`, `simulate.effects` and `diagnosis` (FORMATS.md, section 2).
 #ifndef DHCAL_CORE_IO_EFFECTS_READER_H_
 #define DHCAL_CORE_IO_EFFECTS_READER_H_
 

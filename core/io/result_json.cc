@@ -1,4 +1,4 @@
-// result.json (shared formats, section 3).
+// result.json (FORMATS.md, section 3).
 #include <string>
 #include <vector>
 

@@ -1,4 +1,4 @@
-// Writes a result folder: all of it or nothing (shared formats, section 3).
+// Writes a result folder: all of it or nothing (FORMATS.md, section 3).
 #ifndef DHCAL_CORE_IO_RESULT_WRITER_H_
 #define DHCAL_CORE_IO_RESULT_WRITER_H_
 

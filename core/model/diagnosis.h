@@ -1,5 +1,5 @@
-// What a diagnosis found: plain data in SI units, written by core/io and core/report (shared
-// formats, section 3, key `diagnosis`).
+// What a diagnosis found: plain data in SI units, written by core/io (FORMATS.md,
+// section 3, key `diagnosis`) and core/report.
 #ifndef DHCAL_CORE_MODEL_DIAGNOSIS_H_
 #define DHCAL_CORE_MODEL_DIAGNOSIS_H_
 

@@ -1,5 +1,5 @@
 // Geometric freedoms that the problem file holds fixed although the readings ask for them: named
-// as geometry before anything is called physics (physics.md X1).
+// as geometry before anything is called physics (PHYSICS.md X1).
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_MISSING_GEOMETRY_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_MISSING_GEOMETRY_H_
 

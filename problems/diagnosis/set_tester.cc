@@ -52,7 +52,7 @@ void SetTester::Rebuild() {
   names_.clear();
   for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
     // A scale is what free lengths can always do: its column holds the residual itself, and to name
-    // it would be wrong by construction (physics.md, finding 2).
+    // it would be wrong by construction (PHYSICS.md S1).
     if (at(k).place.effect_class == kScaleClass) continue;
     if (at(k).named && MayBeNamed(at(k).request.effect)) names_.push_back(k);
   }
@@ -328,7 +328,7 @@ double SetTester::Price(int k, double noise) const {
   const double by_count = range.size * std::log(options_.nu);
   if (!at(k).is_curve()) return by_count;
   // Coefficients with a prior: only those that the rows determine cost anything (the determinant of
-  // the Laplace approximation, physics.md B.2).
+  // the Laplace approximation, PHYSICS.md M1).
   auto& squares = curve_squares_[k];
   if (squares.size() == 0) {
     squares = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(

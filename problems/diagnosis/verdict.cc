@@ -63,7 +63,7 @@ void FillHypotheses(const HypothesisSpace& space, const SearchOutcome& out, Diag
   });
 }
 
-/// What tells the members of a confusability class apart (physics.md A.10).
+/// What tells the members of a confusability class apart (PHYSICS.md C1 to C10).
 std::string ClassAdvice(const std::string& effect_class) {
   static const std::map<std::string, std::string> advice = {
       {"C1", "a second target on the base or on link 2, or a load from the side"},
