@@ -47,3 +47,7 @@ endforeach()
 add_test(NAME tools/layers COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tools/check_layers.py")
 add_test(NAME tools/layers_self_test
          COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/check_layers_test.py")
+add_test(NAME tools/citations
+         COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tools/check_citations.py")
+add_test(NAME tools/citations_self_test
+         COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/check_citations_test.py")
