@@ -45,8 +45,11 @@ RowResidual DescribeRow(const Calibration& c,
     sigma = std::hypot(sigma, c.RowSigma(reading.previous_idx, analysis.noise));
   }
   row.standardised = after.residual / sigma;
-  const Eigen::Index rotations = row.residual.size() - c.measurement->kind().num_lengths();
+  const Eigen::Index lengths = c.measurement->kind().num_lengths();
+  const Eigen::Index rotations = row.residual.size() - lengths;
   row.standardised.tail(rotations) = row.residual.tail(rotations) / analysis.noise.sigma_rotation;
+  row.length = row.residual.head(lengths).norm();
+  row.sigmas = row.standardised.lpNorm<Eigen::Infinity>();
   return row;
 }
 

@@ -82,6 +82,7 @@ FitResult DescribeFit(const Calibration& c, const Fit& fit, const FitAnalysis* a
   const int freedom = analysis->num_residuals - identifiability.readings.rank;
   if (SourceOfNoise(c).all_given() && freedom > 0) {
     result.chi2_reduced = 2 * analysis->cost / freedom;
+    result.chi2_p = ChiSquareTail(2 * analysis->cost, freedom);
   }
   const ResidualStatistics statistics = Statistics(c, fit.summary.state, c.readings.fitted);
   result.rms = statistics.rms;

@@ -8,6 +8,7 @@
 
 #include "core/base/units.h"
 #include "problems/fit_analysis.h"
+#include "problems/judgement.h"
 #include "problems/noise.h"
 #include "problems/parameter_values.h"
 #include "problems/prediction.h"
@@ -165,6 +166,8 @@ Result IdentifyGeometry(const ProblemSpec& spec,
   }
   DescribeFits(c, fits, &result);
   AddNotes(c, fits, &result);
+  result.noise_free = IsNoiseFree(result);
+  result.intervals = JudgeIntervals(result);
   return result;
 }
 

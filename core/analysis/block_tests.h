@@ -3,8 +3,8 @@
 //
 // All rows are whitened and projected off the geometry (M). With X the columns of all blocks,
 //   S = X' M X,  z = X' M y,  rss = y' M y,  nu = rows - rank of the geometry
-// hold all that the tests need: their cost does not depend on the number of rows. Shared physics.md
-// B.2 to B.4; the confidence set over hypotheses is B.4.
+// hold all that the tests need: their cost does not depend on the number of rows. PHYSICS.md M1;
+// the confidence set over hypotheses is M3.
 #ifndef DHCAL_CORE_ANALYSIS_BLOCK_TESTS_H_
 #define DHCAL_CORE_ANALYSIS_BLOCK_TESTS_H_
 

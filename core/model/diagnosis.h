@@ -1,5 +1,5 @@
-// What a diagnosis found: plain data in SI units, written by core/io and core/report (shared
-// formats, section 3, key `diagnosis`).
+// What a diagnosis found: plain data in SI units, written by core/io (FORMATS.md,
+// section 3, key `diagnosis`) and core/report.
 #ifndef DHCAL_CORE_MODEL_DIAGNOSIS_H_
 #define DHCAL_CORE_MODEL_DIAGNOSIS_H_
 
@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "core/model/effect_request.h"
+#include "core/model/parameter.h"
 
 namespace dhcal {
 
@@ -97,7 +98,7 @@ struct Finding {
 /// A geometric parameter that had swallowed part of the effects.
 struct MovedParameter {
   std::string name;
-  std::string unit;
+  Unit unit = Unit::kRadian;
   double before = kUnknown, after = kUnknown;  // correction without and with the effects
   double sigma = kUnknown;                     // of it with the effects
 };
@@ -111,8 +112,9 @@ struct CurvePoint {
 struct Unexplained {
   double fraction = kUnknown;  // of the misfit above the noise
   std::string slot, driver;
-  std::string unit;       // of amount
-  double rms = kUnknown;  // [m]
+  std::string driver_unit;    // SI, of CurvePoint::driver_value; empty = not known
+  Unit unit = Unit::kRadian;  // of CurvePoint::amount
+  double rms = kUnknown;      // [m]
   std::vector<CurvePoint> curve;
 };
 
@@ -150,6 +152,9 @@ struct DiagnosisResult {
   double rms_train_before = kUnknown, rms_train_after = kUnknown;  // [m] complete geometry; + all
   double rms_test_before = kUnknown, rms_test_after = kUnknown;
   double seconds = kUnknown;
+
+  /// False where the complete geometry had no fit, so that nothing could be measured.
+  bool answered() const { return misfit.rows >= 0; }
 };
 
 }  // namespace dhcal

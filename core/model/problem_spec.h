@@ -1,4 +1,4 @@
-// What a problem file says (shared formats, section 2), after parsing: plain data in SI units.
+// What a problem file says (FORMATS.md, section 2), after parsing: plain data in SI units.
 #ifndef DHCAL_CORE_MODEL_PROBLEM_SPEC_H_
 #define DHCAL_CORE_MODEL_PROBLEM_SPEC_H_
 

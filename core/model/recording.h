@@ -1,4 +1,4 @@
-// A recording: what was commanded and measured, one row per pose (shared formats, section 1).
+// A recording: what was commanded and measured, one row per pose (FORMATS.md, section 1).
 #ifndef DHCAL_CORE_MODEL_RECORDING_H_
 #define DHCAL_CORE_MODEL_RECORDING_H_
 

@@ -36,6 +36,18 @@ const char* ToString(Verdict verdict) {
   return "?";
 }
 
+const char* ToString(IntervalVerdict verdict) {
+  switch (verdict) {
+    case IntervalVerdict::kHold:
+      return "hold";
+    case IntervalVerdict::kGeometryIncomplete:
+      return "geometry_incomplete";
+    case IntervalVerdict::kModelMissesNoise:
+      return "model_misses_noise";
+  }
+  return "?";
+}
+
 const char* ToString(SolverMethod method) {
   switch (method) {
     case SolverMethod::kSvdGaussNewton:

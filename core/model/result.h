@@ -76,6 +76,13 @@ struct ObservabilityIndices {
   double o1 = kNotSet, o2 = kNotSet, o3 = kNotSet, o4 = kNotSet, o5 = kNotSet;
 };
 
+/// Whether the 95 % intervals of the parameters hold. They know of noise and tolerances; what the
+/// model leaves out moves parameters by any number of sigmas.
+enum class IntervalVerdict { kHold, kGeometryIncomplete, kModelMissesNoise };
+
+/// "hold", "geometry_incomplete", "model_misses_noise".
+const char* ToString(IntervalVerdict verdict);
+
 struct FitResult {
   SolverMethod solver = SolverMethod::kSvdGaussNewton;
   Termination termination = Termination::kNotRun;
@@ -89,6 +96,7 @@ struct FitResult {
   double kappa_norm = kNotSet;  // [m]
   double cost = kNotSet;
   double chi2_reduced = kNotSet;  // only with a known sigma
+  double chi2_p = kNotSet;        // that noise of that sigma leaves as much or more
   double seconds = kNotSet;
   double rms = kNotSet;                 // [m] per measured coordinate, fitted rows
   double rms_point = kNotSet;           // [m] 3-D, where positions are measured
@@ -137,6 +145,8 @@ struct RowResidual {
   int row_idx = -1;
   bool test = false;
   Eigen::VectorXd measured, predicted_before, predicted_after, residual, standardised;
+  double length = kNotSet;    // [m] of the residual, its rotations apart
+  double sigmas = kNotSet;    // largest standardised coordinate, by size
   double leverage = kNotSet;  // sum over the row's coordinates; NaN for rows not fitted
   std::string run;            // the row's label; empty when the recording has none
 };
@@ -157,6 +167,10 @@ struct Result {
   Baseline nominal;  // rows predicted with the file's values
   std::optional<Baseline> base_and_tool_only;
   ValidationResult validation;
+  IntervalVerdict intervals = IntervalVerdict::kHold;  // of the best fit's parameters
+  /// The best fit leaves less than any instrument reads: the readings are a simulation without
+  /// noise, and corrections are told in micrometres and microradians.
+  bool noise_free = false;
   std::vector<std::string> coordinate_names;  // of RowResidual's vectors: "x", "y", "z", ...
   std::vector<RowResidual> residuals;
   RobotModel calibrated;  // the robot with the corrected values

@@ -83,7 +83,7 @@ class PhysicsContext {
   bool has_one_clock() const { return has_one_clock_; }
   /// Seconds since the first row; the row's number where there is no clock for all runs.
   const Eigen::VectorXd& clock() const { return clock_; }
-  /// Seconds since the first row of the run: drifts begin anew with each (formats.md).
+  /// Seconds since the first row of the run: drifts begin anew with each (FORMATS.md, section 1).
   const Eigen::VectorXd& drift_clock() const { return drift_clock_; }
   /// Of the longest run [s].
   double duration() const { return duration_; }

@@ -6,7 +6,7 @@
 // setting, so that zero parameters are exactly no effect and the derivative at zero is not
 // degenerate. The weights depend on the recording and on the nominal robot only; the difference to
 // weights at the calibrated robot is of second order (a thousandth of the effect).
-// Source of the effects and their sizes: shared physics.md, part A.
+// Source of the effects and their sizes: core/physics/PHYSICS.md.
 #ifndef DHCAL_CORE_PHYSICS_EFFECT_H_
 #define DHCAL_CORE_PHYSICS_EFFECT_H_
 
@@ -59,7 +59,7 @@ struct EffectDescription {
 
 /// Where an effect sits, what drives it, and which others it is easily taken for.
 struct EffectPlace {
-  std::string effect_class;  // "C1" ... "C10" of physics.md A.10, or "geometry"
+  std::string effect_class;  // "C1" ... "C10" of PHYSICS.md, or "geometry"
   std::string location;      // "joint 2", "link 2", "base", "tool", "sensor"
   std::string driver;        // "gravity torque"
 };

@@ -18,7 +18,7 @@ EffectDescription FrameEffect::Describe() const {
                       "x, y, z [m], rx, ry, rz [rad]",
                       {},
                       "",
-                      "0.1-10 mm [physics.md X1]"};
+                      "0.1-10 mm [PHYSICS.md X1]"};
   d.has_joint = false;
   return d;
 }

@@ -9,7 +9,6 @@
 #include "core/base/units.h"
 #include "core/report/format.h"
 #include "core/report/sections.h"
-#include "core/report/text_table.h"
 
 namespace dhcal {
 namespace {
@@ -53,18 +52,19 @@ std::string Largest(const std::vector<ComparedParameter>& comparison,
                      largest.name);
 }
 
-std::string DifferenceTable(std::vector<ComparedParameter> comparison, bool noise_free) {
+Table DifferenceTable(std::vector<ComparedParameter> comparison, bool noise_free) {
   std::stable_sort(comparison.begin(),
                    comparison.end(),
                    [](const ComparedParameter& a, const ComparedParameter& b) {
                      return TotalSize(a) > TotalSize(b);
                    });
-  TextTable table({{"parameter", "", 40, TextTable::Align::kLeft},
-                   {"unit", "", 4, TextTable::Align::kLeft},
+  Table table;
+  table.columns = {{"parameter", "", 40, Table::Align::kLeft},
+                   {"unit", "", 4, Table::Align::kLeft},
                    {"SVD Gauss-Newton", ""},
                    {"Levenberg-Marquardt", ""},
                    {"difference seen", ""},
-                   {"inside null space", ""}});
+                   {"inside null space", ""}};
   for (std::size_t i = 0; i < comparison.size() && i < kMostCompared; ++i) {
     const ComparedParameter& parameter = comparison[i];
     const double unit = PrintedUnit(parameter.unit, noise_free);
@@ -75,23 +75,23 @@ std::string DifferenceTable(std::vector<ComparedParameter> comparison, bool nois
                   Scientific(parameter.difference / unit, 1),
                   Scientific(parameter.in_null_space / unit, 1)});
   }
-  if (comparison.size() > kMostCompared) table.AddLine(AndMore(comparison.size() - kMostCompared));
-  return table.ToString();
+  if (comparison.size() > kMostCompared) table.AddLeftOut(comparison.size() - kMostCompared);
+  return table;
 }
 
 }  // namespace
 
-std::string ComparisonSection(const Result& result) {
-  if (result.comparison.empty() || result.best() == nullptr) return "";
-  const bool noise_free = IsNoiseFree(result);
+Section ComparisonSection(const Result& result) {
+  if (result.comparison.empty() || result.best() == nullptr) return {};
+  const bool noise_free = result.noise_free;
   const std::string sentence = fmt::format(
       "Largest difference of a correction that the readings can see: {}. Largest difference inside "
       "the null space, where both answers predict the same readings: {}. The parameters that "
       "differ most:",
       Largest(result.comparison, &ComparedParameter::difference, noise_free),
       Largest(result.comparison, &ComparedParameter::in_null_space, noise_free));
-  return Heading("THE TWO SOLVERS COMPARED") + Wrap("  ", sentence) + "\n" +
-         DifferenceTable(result.comparison, noise_free);
+  return {"THE TWO SOLVERS COMPARED",
+          {Paragraph{{sentence}, ""}, DifferenceTable(result.comparison, noise_free)}};
 }
 
 }  // namespace dhcal

@@ -9,10 +9,10 @@
 #include <fmt/ranges.h>
 
 #include "core/base/units.h"
+#include "core/model/robot.h"
 #include "core/physics/effect.h"
 #include "core/report/format.h"
 #include "core/report/sections.h"
-#include "core/report/text_table.h"
 
 namespace dhcal {
 namespace {
@@ -23,6 +23,8 @@ constexpr std::size_t kMostConfusable = 6;
 constexpr std::size_t kMostHidden = 8;
 constexpr std::size_t kMostPoses = 4;
 constexpr std::size_t kMostNotTestable = 12;
+// Amounts at slots are printed in milliradians or millimetres, by the same factor.
+constexpr double kMilli = 1e-3;  // [SI]
 
 std::string Upper(std::string text) {
   for (char& c : text) c = c == '_' ? ' ' : static_cast<char>(std::toupper(c));
@@ -35,24 +37,23 @@ std::string Probability(double p) {
   return p < 1e-3 ? fmt::format("{:.1e}", p) : fmt::format("{:.3f}", p);
 }
 
-/// How a joint's coordinate is printed.
-struct JointUnit {
+/// How a quantity is printed.
+struct ShownUnit {
   double size = 1;  // [SI]
   std::string name;
 };
 
-JointUnit UnitOfJoint(const RobotModel& robot, int joint) {
+ShownUnit UnitOfJoint(const RobotModel& robot, int joint) {
   const bool slides = joint < robot.num_joints() &&
                       robot.joints[static_cast<std::size_t>(joint)].type == JointType::kPrismatic;
-  return slides ? JointUnit{kMillimetre, "mm"} : JointUnit{kDegree, "deg"};
+  return slides ? ShownUnit{kMillimetre, "mm"} : ShownUnit{kDegree, "deg"};
 }
 
-/// Unit of what drives a curve: a joint's coordinate ("q3"), or something else as it stands.
-JointUnit UnitOfDriver(const RobotModel& robot, const std::string& driver) {
-  for (int joint = 0; joint < robot.num_joints(); ++joint) {
-    if (driver == fmt::format("q{}", joint + 1)) return UnitOfJoint(robot, joint);
-  }
-  return {};
+/// Of what drives a curve: angles and lengths as people read them off, the others as they stand.
+ShownUnit UnitOfDriver(const std::string& si_unit) {
+  if (si_unit == ToString(Unit::kRadian)) return {kDegree, "deg"};
+  if (si_unit == ToString(Unit::kMetre)) return {kMillimetre, "mm"};
+  return {1, si_unit};
 }
 
 /// A probability from draws says no more than that it is below the smallest they can give.
@@ -61,7 +62,7 @@ std::string Probability(double p, double floor) {
   return at_floor ? "< " + Probability(floor) : Probability(p);
 }
 
-/// "rows 3, 17, 40 ... and 5 more in result.json".
+/// "3, 17, 40 ... and 5 more".
 std::string RowsInWords(const std::vector<int>& rows) {
   std::vector<std::string> words;
   for (const int row : rows) {
@@ -72,10 +73,11 @@ std::string RowsInWords(const std::vector<int>& rows) {
   return fmt::format("{}{}", fmt::join(words, ", "), more > 0 ? " " + AndMore(more) : "");
 }
 
-std::string MisfitWords(const DiagnosisResult& d) {
-  const Misfit& m = d.misfit;
+Paragraph InShort(const DiagnosisResult& d) {
+  Paragraph text{{fmt::format("In short: {}.", d.summary)}, ""};
   // Nothing was measured where the complete geometry has no fit; the summary says so.
-  if (m.rows < 0) return "";
+  if (!d.answered()) return text;
+  const Misfit& m = d.misfit;
   const std::string noise =
       m.noise_known
           ? fmt::format("known noise of {}", WithMillimetres(m.noise_sigma))
@@ -83,7 +85,7 @@ std::string MisfitWords(const DiagnosisResult& d) {
                 "noise not given (RMS with the geometry's freedoms counted {}), so only the "
                 "pattern of the residuals speaks, not their size",
                 WithMillimetres(m.noise_sigma));
-  std::string text = fmt::format(
+  std::string misfit = fmt::format(
       "Complete geometry leaves {} RMS per coordinate over {} rows; {}. Probability that noise "
       "alone looks like this: {} (alarm below {:g}).",
       WithMillimetres(m.rms),
@@ -92,12 +94,14 @@ std::string MisfitWords(const DiagnosisResult& d) {
       Probability(m.p_value, m.p_floor),
       d.false_alarm);
   if (m.outliers > 0) {
-    text += fmt::format(
+    misfit += fmt::format(
         " {} set aside as outliers: {}.", Counted(m.outliers, "row"), RowsInWords(m.outlier_rows));
   }
-  return Wrap("  ", text);
+  text.lines.push_back(misfit);
+  return text;
 }
 
+/// "" where it is not known.
 std::string BeforeAfter(const Finding& f) {
   if (std::isnan(f.rms_train_before)) return "";
   std::string text = fmt::format("RMS on fitted rows {} -> {} mm",
@@ -108,7 +112,7 @@ std::string BeforeAfter(const Finding& f) {
                         Millimetres(f.rms_test_before),
                         Millimetres(f.rms_test_after));
   }
-  return text + fmt::format(" (p = {})", Probability(f.p_value));
+  return text + fmt::format(" (p = {}).", Probability(f.p_value));
 }
 
 /// "10.0, -20.0 deg"; with a prismatic joint each its own unit: "10.0 deg, 250.0 mm".
@@ -119,134 +123,57 @@ std::string PoseWords(const RobotModel& robot, const Eigen::VectorXd& q) {
       });
   std::vector<std::string> joints;
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    const JointUnit unit = UnitOfJoint(robot, static_cast<int>(k));
+    const ShownUnit unit = UnitOfJoint(robot, static_cast<int>(k));
     joints.push_back(fmt::format("{:.1f}", q[k] / unit.size) +
                      (all_turn ? std::string() : fmt::format(" {}", unit.name)));
   }
   return fmt::format("{}{}", fmt::join(joints, ", "), all_turn ? " deg" : "");
 }
 
-std::string FindingWords(const RobotModel& robot, std::size_t number, const Finding& f) {
+std::string ConfusableWords(const std::vector<Confusable>& others) {
+  std::vector<std::string> names;
+  for (const Confusable& other : others) {
+    if (names.size() == kMostConfusable) break;
+    names.push_back(fmt::format("{} (likeness {:.2f})", InstanceName(other.effect), other.overlap));
+  }
+  const std::size_t more = others.size() - names.size();
+  if (more > 0) names.push_back(AndMore(more));
+  return fmt::format("{}.", fmt::join(names, "; "));
+}
+
+/// What to measure next to tell the finding from others; nothing when there is no such advice.
+std::vector<ListItem> Advice(const RobotModel& robot, const Finding& f) {
+  std::vector<ListItem> poses;
+  for (const SeparatingPose& pose : f.separating_poses) {
+    if (poses.size() == kMostPoses) break;
+    poses.push_back({PoseWords(robot, pose.q), "pose:", {}});
+  }
+  if (f.separating_advice.empty()) return poses;
+  return {{f.separating_advice + ".", "Measure next,", poses}};
+}
+
+ListItem FindingItem(const RobotModel& robot, const Finding& f) {
   std::string sentence = f.sentence;
   if (!sentence.empty()) sentence[0] = static_cast<char>(std::toupper(sentence[0]));
-  std::string text = "\n" + Wrap(fmt::format("  {}. ", number), sentence + ".");
   const std::string driver =
       f.driver == "constant" ? "the same at all poses" : "driven by " + f.driver;
-  text += Wrap(
-      "     ",
-      fmt::format(
-          "{}: {}, {}, class {}.", InstanceName(f.effect), f.location, driver, f.effect_class));
+  ListItem item{sentence + ".", "", {}};
+  item.parts.push_back(
+      {fmt::format(
+           "{}: {}, {}, class {}.", InstanceName(f.effect), f.location, driver, f.effect_class),
+       "",
+       {}});
   const std::string rms = BeforeAfter(f);
-  if (!rms.empty()) text += Wrap("     ", rms + ".");
-  for (const std::string& caution : f.cautions) text += Wrap("     Caution: ", caution + ".");
+  if (!rms.empty()) item.parts.push_back({rms, "", {}});
+  for (const std::string& caution : f.cautions) {
+    item.parts.push_back({caution + ".", "Caution:", {}});
+  }
   if (!f.confusable_with.empty()) {
-    std::vector<std::string> names;
-    for (const Confusable& other : f.confusable_with) {
-      if (names.size() == kMostConfusable) break;
-      names.push_back(
-          fmt::format("{} (likeness {:.2f})", InstanceName(other.effect), other.overlap));
-    }
-    const std::size_t more = f.confusable_with.size() - names.size();
-    if (more > 0) names.push_back(AndMore(more));
-    text +=
-        Wrap("     These poses do not tell it from: ", fmt::format("{}.", fmt::join(names, "; ")));
+    item.parts.push_back(
+        {ConfusableWords(f.confusable_with), "These poses do not tell it from:", {}});
   }
-  if (!f.separating_advice.empty()) text += Wrap("     Measure next, ", f.separating_advice + ".");
-  for (std::size_t k = 0; k < f.separating_poses.size() && k < kMostPoses; ++k) {
-    text += Wrap("       pose: ", PoseWords(robot, f.separating_poses[k].q));
-  }
-  return text;
-}
-
-std::string RestWords(const RobotModel& robot, const DiagnosisResult& d) {
-  if (!d.unexplained) return "";
-  const Unexplained& rest = *d.unexplained;
-  std::string text =
-      "\n" +
-      Wrap("  Not explained: ",
-           fmt::format("{:.0f} % of the misfit ({} RMS per coordinate); largest at {} against "
-                       "{}.",
-                       100 * rest.fraction,
-                       WithMillimetres(rest.rms),
-                       rest.slot,
-                       rest.driver));
-  if (rest.curve.empty()) return text;
-  const bool angle = rest.unit == "rad";
-  const JointUnit driver = UnitOfDriver(robot, rest.driver);
-  TextTable table({{rest.driver, driver.name.empty() ? "" : "[" + driver.name + "]"},
-                   {rest.slot, angle ? "[mrad]" : "[mm]"},
-                   {"+-", angle ? "[mrad]" : "[mm]"}});
-  for (const CurvePoint& point : rest.curve) {
-    table.AddRow({FixedWithin(point.driver_value / driver.size, 1, 10),
-                  Fixed(point.amount / 1e-3, 3),
-                  Fixed(point.sigma / 1e-3, 3)});
-  }
-  return text + table.ToString();
-}
-
-std::string MapTable(const DiagnosisResult& d) {
-  if (d.map.empty()) return "";
-  TextTable table({{"where", "", 12, TextTable::Align::kLeft},
-                   {"driven by", "", 34, TextTable::Align::kLeft},
-                   {"statistic", ""},
-                   {"freedom", ""},
-                   {"p alone", ""},
-                   {"size", "[mm RMS]"}});
-  for (std::size_t k = 0; k < d.map.size() && k < kMostMap; ++k) {
-    const MapEntry& entry = d.map[k];
-    table.AddRow({entry.slot,
-                  entry.driver,
-                  Fixed(entry.statistic, 1),
-                  Fixed(entry.dof, 0),
-                  Probability(entry.p_value),
-                  Millimetres(entry.rms)});
-  }
-  return "\n  Mismatch map (strongest of all places and drivers; the whole is in result.json)\n" +
-         table.ToString();
-}
-
-std::string MovedTable(const DiagnosisResult& d) {
-  if (d.moved.empty()) return "";
-  TextTable table({{"parameter", "", 20, TextTable::Align::kLeft},
-                   {"without", "[mm, mrad]"},
-                   {"with the effects", "[mm, mrad]"},
-                   {"+-", "[mm, mrad]"}});
-  for (const MovedParameter& p : d.moved) {
-    const int decimals = DecimalsOf(p.sigma / 1e-3, 4);
-    table.AddRow({p.name,
-                  Fixed(p.before / 1e-3, decimals),
-                  Fixed(p.after / 1e-3, decimals),
-                  Fixed(p.sigma / 1e-3, decimals)});
-  }
-  return "\n  Corrections that had swallowed part of it\n" + table.ToString();
-}
-
-/// A limit that says something: a number, or that no size would be found (NaN, "never").
-bool IsLimit(double limit) { return std::isnan(limit) || (std::isfinite(limit) && limit > 0); }
-
-std::string HiddenTable(const DiagnosisResult& d) {
-  std::vector<HiddenRisk> shown;
-  for (const HiddenRisk& risk : d.hidden) {
-    if (shown.size() < kMostHidden && IsLimit(risk.limit)) shown.push_back(risk);
-  }
-  if (shown.empty()) return "";
-  TextTable table({{"not excluded", "", 44, TextTable::Align::kLeft},
-                   {"visible", "[part]"},
-                   {"smallest found", "[SI]"},
-                   {"unit", "", 22, TextTable::Align::kLeft},
-                   {"risk elsewhere", "[mm]"}});
-  for (const HiddenRisk& risk : shown) {
-    table.AddRow({InstanceName(risk.effect),
-                  Fixed(risk.visibility, 3),
-                  std::isnan(risk.limit) ? "never" : Scientific(risk.limit, 1),
-                  risk.unit,
-                  std::isnan(risk.risk) ? "-" : Fixed(risk.risk / kMillimetre, 2)});
-  }
-  return "\n" +
-         Wrap("  ",
-              "What these rows cannot exclude, and the largest error that it may cause at other "
-              "poses (95 %, geometry refitted; joints 120 deg around the recorded middle):") +
-         table.ToString();
+  for (const ListItem& advice : Advice(robot, f)) item.parts.push_back(advice);
+  return item;
 }
 
 /// How all that was found does together, as far as it is known: where only geometry was found there
@@ -257,40 +184,165 @@ std::string TogetherWords(const DiagnosisResult& d) {
                                          d.validation_method,
                                          Millimetres(d.rms_test_before),
                                          Millimetres(d.rms_test_after));
-  if (std::isnan(d.rms_train_before)) {
-    return "\n" + Wrap("  ", fmt::format("Complete geometry: RMS {}.", unseen));
+  if (std::isnan(d.rms_train_before)) return fmt::format("Complete geometry: RMS {}.", unseen);
+  return fmt::format("All physics together: RMS on fitted rows {} -> {} mm; {}.",
+                     Millimetres(d.rms_train_before),
+                     Millimetres(d.rms_train_after),
+                     unseen);
+}
+
+std::string RestWords(const Unexplained& rest) {
+  return fmt::format("{:.0f} % of the misfit ({} RMS per coordinate); largest at {} against {}.",
+                     100 * rest.fraction,
+                     WithMillimetres(rest.rms),
+                     rest.slot,
+                     rest.driver);
+}
+
+Table CurveTable(const Unexplained& rest) {
+  const char* const amount = rest.unit == Unit::kRadian ? "mrad" : "mm";
+  const ShownUnit driver = UnitOfDriver(rest.driver_unit);
+  Table table;
+  table.columns = {{rest.driver, driver.name}, {rest.slot, amount}, {"+-", amount}};
+  for (const CurvePoint& point : rest.curve) {
+    table.AddRow({FixedWithin(point.driver_value / driver.size, 1, 10),
+                  Fixed(point.amount / kMilli, 3),
+                  Fixed(point.sigma / kMilli, 3)});
   }
-  return "\n" + Wrap("  ",
-                     fmt::format("All physics together: RMS on fitted rows {} -> {} mm; {}.",
-                                 Millimetres(d.rms_train_before),
-                                 Millimetres(d.rms_train_after),
-                                 unseen));
+  return table;
+}
+
+Figure CurveFigure(const Unexplained& rest) {
+  const ShownUnit driver = UnitOfDriver(rest.driver_unit);
+  Figure figure;
+  figure.caption = fmt::format(
+      "What is not explained, as a change of {} that depends on {}.", rest.slot, rest.driver);
+  figure.x = {rest.driver, driver.name};
+  figure.y = {rest.slot, rest.unit == Unit::kRadian ? "mrad" : "mm"};
+  Figure::Series series;
+  series.name = "not explained";
+  for (const CurvePoint& point : rest.curve) {
+    series.x.push_back(point.driver_value / driver.size);
+    series.y.push_back(point.amount / kMilli);
+    series.sigma.push_back(point.sigma / kMilli);
+  }
+  figure.series = {series};
+  return figure;
+}
+
+Table MovedTable(const std::vector<MovedParameter>& moved) {
+  Table table;
+  table.title = "Corrections that had swallowed part of it";
+  table.columns = {{"parameter", "", 20, Table::Align::kLeft},
+                   {"without", "mm, mrad"},
+                   {"with the effects", "mm, mrad"},
+                   {"+-", "mm, mrad"}};
+  for (const MovedParameter& p : moved) {
+    const int decimals = DecimalsOf(p.sigma / kMilli, 4);
+    table.AddRow({p.name,
+                  Fixed(p.before / kMilli, decimals),
+                  Fixed(p.after / kMilli, decimals),
+                  Fixed(p.sigma / kMilli, decimals)});
+  }
+  return table;
+}
+
+Table MapTable(const std::vector<MapEntry>& map) {
+  Table table;
+  table.title = "Mismatch map (strongest of all places and drivers; the whole is in result.json)";
+  table.columns = {{"where", "", 12, Table::Align::kLeft},
+                   {"driven by", "", 34, Table::Align::kLeft},
+                   {"statistic", ""},
+                   {"freedom", ""},
+                   {"p alone", ""},
+                   {"size", "mm RMS"}};
+  for (std::size_t k = 0; k < map.size() && k < kMostMap; ++k) {
+    const MapEntry& entry = map[k];
+    table.AddRow({entry.slot,
+                  entry.driver,
+                  Fixed(entry.statistic, 1),
+                  Fixed(entry.dof, 0),
+                  Probability(entry.p_value),
+                  Millimetres(entry.rms)});
+  }
+  return table;
+}
+
+/// A limit that says something: a number, or that no size would be found (NaN, "never").
+bool IsLimit(double limit) { return std::isnan(limit) || (std::isfinite(limit) && limit > 0); }
+
+Table HiddenTable(const std::vector<HiddenRisk>& hidden) {
+  Table table;
+  table.title =
+      "What these rows cannot exclude, and the largest error that it may cause at other poses "
+      "(95 %, geometry refitted; joints 120 deg around the recorded middle):";
+  table.columns = {{"not excluded", "", 44, Table::Align::kLeft},
+                   {"visible", "part"},
+                   {"smallest found", "SI"},
+                   {"unit", "", 22, Table::Align::kLeft},
+                   {"risk elsewhere", "mm"}};
+  for (const HiddenRisk& risk : hidden) {
+    if (table.rows.size() == kMostHidden) break;
+    if (!IsLimit(risk.limit)) continue;
+    table.AddRow({InstanceName(risk.effect),
+                  Fixed(risk.visibility, 3),
+                  std::isnan(risk.limit) ? "never" : Scientific(risk.limit, 1),
+                  risk.unit,
+                  std::isnan(risk.risk) ? "-" : Fixed(risk.risk / kMillimetre, 2)});
+  }
+  return table;
+}
+
+std::string NotTestableWords(const std::vector<NotTestable>& entries) {
+  std::vector<std::string> words;
+  for (const NotTestable& entry : entries) {
+    if (words.size() == kMostNotTestable) break;
+    words.push_back(entry.effect + " (" + entry.reason + ")");
+  }
+  return fmt::format("{}.", fmt::join(words, "; "));
+}
+
+/// What was found, and how far it goes.
+void AddFindings(const RobotModel& robot, const DiagnosisResult& d, std::vector<Block>* blocks) {
+  List findings;
+  findings.kind = List::Kind::kNumbers;
+  for (const Finding& finding : d.findings) findings.items.push_back(FindingItem(robot, finding));
+  if (!findings.items.empty()) blocks->push_back(findings);
+  const std::string together = TogetherWords(d);
+  if (!together.empty()) blocks->push_back(Paragraph{{together}, ""});
+  if (d.unexplained) {
+    blocks->push_back(Paragraph{{RestWords(*d.unexplained)}, "Not explained:"});
+    if (!d.unexplained->curve.empty()) {
+      blocks->push_back(CurveTable(*d.unexplained));
+      blocks->push_back(CurveFigure(*d.unexplained));
+    }
+  }
+  if (!d.moved.empty()) blocks->push_back(MovedTable(d.moved));
+}
+
+/// What was looked at besides, and what could not be.
+void AddLimits(const DiagnosisResult& d, std::vector<Block>* blocks) {
+  if (d.misfit.p_value <= d.false_alarm && !d.map.empty()) blocks->push_back(MapTable(d.map));
+  const Table hidden = HiddenTable(d.hidden);
+  if (!hidden.rows.empty()) blocks->push_back(hidden);
+  if (!d.not_testable.empty()) {
+    blocks->push_back(Paragraph{{NotTestableWords(d.not_testable)}, "Not testable here:"});
+  }
+  List notes;
+  notes.kind = List::Kind::kBullets;
+  for (const std::string& note : d.notes) notes.items.push_back({note, "", {}});
+  if (!notes.items.empty()) blocks->push_back(notes);
 }
 
 }  // namespace
 
-std::string DiagnosisSection(const ProblemSpec& spec, const Result& result) {
-  if (!result.diagnosis) return "";
+Section DiagnosisSection(const ProblemSpec& spec, const Result& result) {
+  if (!result.diagnosis) return {};
   const DiagnosisResult& d = *result.diagnosis;
-  std::string text = Heading("LEFT-OUT PHYSICS: " + Upper(ToString(d.verdict)));
-  text += Wrap("  ", fmt::format("In short: {}.", d.summary));
-  text += MisfitWords(d);
-  for (std::size_t k = 0; k < d.findings.size(); ++k) {
-    text += FindingWords(spec.robot, k + 1, d.findings[k]);
-  }
-  text += TogetherWords(d) + RestWords(spec.robot, d) + MovedTable(d);
-  if (d.misfit.p_value <= d.false_alarm) text += MapTable(d);
-  text += HiddenTable(d);
-  std::vector<std::string> untested;
-  for (const NotTestable& entry : d.not_testable) {
-    if (untested.size() == kMostNotTestable) break;
-    untested.push_back(entry.effect + " (" + entry.reason + ")");
-  }
-  if (!untested.empty()) {
-    text += "\n" + Wrap("  Not testable here: ", fmt::format("{}.", fmt::join(untested, "; ")));
-  }
-  for (const std::string& note : d.notes) text += Wrap("  - ", note);
-  return text;
+  Section section{"LEFT-OUT PHYSICS: " + Upper(ToString(d.verdict)), {InShort(d)}};
+  AddFindings(spec.robot, d, &section.blocks);
+  AddLimits(d, &section.blocks);
+  return section;
 }
 
 }  // namespace dhcal

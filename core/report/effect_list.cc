@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/physics/registry.h"
-#include "core/report/format.h"
+#include "core/report/text_layout.h"
 
 namespace dhcal {
 

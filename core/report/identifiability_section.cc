@@ -32,32 +32,32 @@ std::string RankSentence(const FitResult& fit) {
   if (fit.rank_numerical >= 0) {
     text += fmt::format("; the readings respond to {} at all", fit.rank_numerical);
   }
-  return Wrap("  ", text + ".");
+  return text + ".";
 }
 
+/// "+1 d2  -1 d3"
 std::string DirectionText(const NullDirection& null_direction) {
   std::vector<std::string> terms;
   for (const NullDirection::Entry& entry : null_direction.direction) {
     if (terms.size() == kMostEntries) break;
     terms.push_back(fmt::format("{:+.3g} {}", entry.weight, entry.name));
   }
-  std::string text = fmt::format("Direction: {}", fmt::join(terms, "  "));
+  const std::string text = fmt::format("Direction: {}", fmt::join(terms, "  "));
   const std::size_t total = null_direction.direction.size();
   return total > terms.size() ? text + " " + AndMore(total - terms.size()) : text;
 }
 
-std::string NullSpaceText(const std::vector<NullDirection>& null_space) {
-  std::string text;
+List NullSpaceList(const std::vector<NullDirection>& null_space) {
+  List list;
+  list.kind = List::Kind::kNumbers;
   for (std::size_t i = 0; i < null_space.size() && i < kMostDirections; ++i) {
     const bool repeated = i > 0 && null_space[i].explanation == null_space[i - 1].explanation;
-    const std::string number = fmt::format("  {:>2}. ", i + 1);
-    text += "\n" + Wrap(number, repeated ? "as before" : null_space[i].explanation);
-    text += Wrap("      ", DirectionText(null_space[i]));
+    list.items.push_back({repeated ? "as before" : null_space[i].explanation,
+                          "",
+                          {{DirectionText(null_space[i]), "", {}}}});
   }
-  if (null_space.size() > kMostDirections) {
-    text += "\n" + Wrap("  ", AndMore(null_space.size() - kMostDirections));
-  }
-  return text;
+  list.left_out = null_space.size() - list.items.size();
+  return list;
 }
 
 /// What is said of a parameter; a sentence that stands above is referred to by its number.
@@ -79,20 +79,23 @@ std::string ParameterText(const ParameterResult& parameter,
   return text + ": " + parameter.explanation;
 }
 
-std::string DoubtfulParameters(const FitResult& fit) {
-  std::string text;
-  std::size_t count = 0;
+List DoubtfulParameters(const FitResult& fit) {
+  List list;
+  list.kind = List::Kind::kBullets;
+  list.title = "Parameters that cannot be trusted by themselves:";
   for (const ParameterResult& parameter : fit.parameters) {
     if (parameter.verdict == Verdict::kIdentified || parameter.verdict == Verdict::kFixed) continue;
-    if (++count <= kMostParameters) text += Wrap("  - ", ParameterText(parameter, fit.null_space));
+    if (list.items.size() < kMostParameters) {
+      list.items.push_back({ParameterText(parameter, fit.null_space), "", {}});
+    } else {
+      ++list.left_out;
+    }
   }
-  if (count > kMostParameters) text += Wrap("  ", AndMore(count - kMostParameters));
-  return count == 0 ? "" : "\n  Parameters that cannot be trusted by themselves:\n" + text;
+  return list;
 }
 
-std::string SingularValues(const FitResult& fit) {
+ListItem SingularValues(const FitResult& fit) {
   const std::vector<double>& all = fit.singular_values;
-  if (all.empty()) return "";
   const bool is_long = all.size() > kLargestValues + kSmallestValues + 1;
   std::vector<std::string> terms;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -110,39 +113,64 @@ std::string SingularValues(const FitResult& fit) {
     title += fmt::format("; those in brackets, at or below {:.2e}, were set to zero",
                          fit.truncation_cut);
   }
-  return Wrap("  ", title + ":") + Wrap("    ", fmt::format("{}", fmt::join(terms, " ")));
+  return {title + ":", "", {{fmt::format("{}", fmt::join(terms, " ")), "", {}}}};
 }
 
-std::string Figures(const FitResult& fit) {
-  std::string text;
+/// What tells the quality of the poses in a few numbers.
+List QualityNumbers(const FitResult& fit) {
+  List list;
+  const auto add = [&](const std::string& text) { list.items.push_back({text, "", {}}); };
   const ObservabilityIndices& o = fit.observability;
   if (!std::isnan(o.o1)) {
-    text += Wrap("  ",
-                 fmt::format("Observability indices: O1 {:.3g}, O2 {:.3g}, O3 {:.3g}, "
-                             "O4 {:.3g}, O5 {:.3g}",
-                             o.o1,
-                             o.o2,
-                             o.o3,
-                             o.o4,
-                             o.o5));
+    add(fmt::format("Observability indices: O1 {:.3g}, O2 {:.3g}, O3 {:.3g}, O4 {:.3g}, O5 {:.3g}",
+                    o.o1,
+                    o.o2,
+                    o.o3,
+                    o.o4,
+                    o.o5));
   }
   if (!std::isnan(fit.condition_number)) {
-    text += Wrap(
-        "  ", fmt::format("Condition number of the directions kept: {:.3g}", fit.condition_number));
+    add(fmt::format("Condition number of the directions kept: {:.3g}", fit.condition_number));
   }
-  text += SingularValues(fit);
-  if (!fit.covariance_check.empty()) text += Wrap("  ", fit.covariance_check);
-  return text.empty() ? "" : "\n" + text;
+  if (!fit.singular_values.empty()) list.items.push_back(SingularValues(fit));
+  if (!fit.covariance_check.empty()) add(fit.covariance_check);
+  return list;
+}
+
+/// The spectrum, and where it was cut. Values of exactly zero have no place on its axis.
+Figure SpectrumFigure(const FitResult& fit) {
+  Figure figure;
+  figure.caption =
+      "Singular values in descending order; those at or below the cut were set to zero.";
+  figure.x = {"number", ""};
+  figure.y = {"singular value", "", true};
+  Figure::Series series;
+  series.name = fit.singular_values_of;
+  for (std::size_t i = 0; i < fit.singular_values.size(); ++i) {
+    if (!(fit.singular_values[i] > 0)) continue;
+    series.x.push_back(static_cast<double>(i + 1));
+    series.y.push_back(fit.singular_values[i]);
+  }
+  if (!series.x.empty()) figure.series.push_back(series);
+  if (fit.truncation_cut > 0) figure.levels.push_back({"cut", fit.truncation_cut});
+  return figure;
 }
 
 }  // namespace
 
-std::string IdentifiabilitySection(const Result& result) {
+Section IdentifiabilitySection(const Result& result) {
   const FitResult* const fit = result.best();
-  if (fit == nullptr) return "";
-  const std::string text = RankSentence(*fit) + NullSpaceText(fit->null_space) +
-                           DoubtfulParameters(*fit) + Figures(*fit);
-  return text.empty() ? "" : Heading("WHAT THE READINGS CANNOT TELL") + text;
+  if (fit == nullptr) return {};
+  Section section{"WHAT THE READINGS CANNOT TELL", {}};
+  const std::string rank = RankSentence(*fit);
+  if (!rank.empty()) section.blocks.push_back(Paragraph{{rank}, ""});
+  for (const List& list :
+       {NullSpaceList(fit->null_space), DoubtfulParameters(*fit), QualityNumbers(*fit)}) {
+    if (!list.items.empty()) section.blocks.push_back(list);
+  }
+  const Figure spectrum = SpectrumFigure(*fit);
+  if (!spectrum.series.empty()) section.blocks.push_back(spectrum);
+  return section;
 }
 
 }  // namespace dhcal

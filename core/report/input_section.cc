@@ -13,10 +13,6 @@
 namespace dhcal {
 namespace {
 
-std::string Line(const char* label, const std::string& text) {
-  return Wrap(fmt::format("  {:<13}", label), text);
-}
-
 std::string FileName(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
@@ -99,15 +95,18 @@ std::string SolverName(SolverMethod method) {
   return method == SolverMethod::kLevenbergMarquardt ? "Levenberg-Marquardt" : "SVD Gauss-Newton";
 }
 
-std::string InputSection(const ProblemSpec& spec, const Result& result) {
-  std::string text = Line("Problem file", FileName(spec.file));
-  text += Line("Robot", RobotText(spec.robot));
-  text += Line("Recording", RecordingText(spec, result));
-  text += Line("Rows", RowsText(result));
-  text += Line("Measurement", fmt::format("{} ({})", result.kind.sentence, result.kind.name));
-  text += Line("Noise", NoiseText(result));
-  text += Line("Solver", SolverText(spec.solver));
-  return text;
+Section InputSection(const ProblemSpec& spec, const Result& result) {
+  List facts;
+  facts.kind = List::Kind::kTerms;
+  facts.items = {
+      {FileName(spec.file), "Problem file", {}},
+      {RobotText(spec.robot), "Robot", {}},
+      {RecordingText(spec, result), "Recording", {}},
+      {RowsText(result), "Rows", {}},
+      {fmt::format("{} ({})", result.kind.sentence, result.kind.name), "Measurement", {}},
+      {NoiseText(result), "Noise", {}},
+      {SolverText(spec.solver), "Solver", {}}};
+  return {"", {facts}};
 }
 
 }  // namespace dhcal

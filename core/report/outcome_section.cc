@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "core/base/units.h"
 #include "core/report/format.h"
 #include "core/report/sections.h"
-#include "core/report/text_table.h"
 
 namespace dhcal {
 namespace {
@@ -52,105 +52,97 @@ std::string Answer(const Result& result) {
   return text;
 }
 
-void AddErrorRow(const std::string& what,
-                 int rows,
-                 double rms,
-                 double rms_point,
-                 double max_point,
-                 TextTable* table) {
+/// A row of the table of errors.
+std::vector<std::string> ErrorRow(const std::string& what, int rows, const Baseline& error) {
   const auto cell = [](double value) { return std::isnan(value) ? "-" : Millimetres(value); };
-  table->AddRow(
-      {what, rows < 0 ? "-" : std::to_string(rows), cell(rms), cell(rms_point), cell(max_point)});
+  return {what,
+          rows < 0 ? "-" : std::to_string(rows),
+          cell(error.rms),
+          cell(error.rms_point),
+          cell(error.max_point)};
 }
 
-std::string ErrorTable(const Result& result) {
-  TextTable table({{"prediction", "", 40, TextTable::Align::kLeft},
+Table ErrorTable(const Result& result) {
+  Table table;
+  table.columns = {{"prediction", "", 40, Table::Align::kLeft},
                    {"rows", ""},
-                   {"RMS, coordinate", "[mm]", 12, TextTable::Align::kPoint},
-                   {"RMS, 3-D", "[mm]", 12, TextTable::Align::kPoint},
-                   {"largest, 3-D", "[mm]", 12, TextTable::Align::kPoint}});
-  const Baseline& nominal = result.nominal;
-  AddErrorRow(
-      "nominal parameters", result.rows, nominal.rms, nominal.rms_point, nominal.max_point, &table);
+                   {"RMS, coordinate", "mm", 12, Table::Align::kPoint},
+                   {"RMS, 3-D", "mm", 12, Table::Align::kPoint},
+                   {"largest, 3-D", "mm", 12, Table::Align::kPoint}};
+  table.AddRow(ErrorRow("nominal parameters", result.rows, result.nominal));
   if (result.base_and_tool_only) {
-    const Baseline& frames = *result.base_and_tool_only;
-    AddErrorRow("base and tool fitted, nominal robot",
-                result.rows,
-                frames.rms,
-                frames.rms_point,
-                frames.max_point,
-                &table);
+    table.AddRow(
+        ErrorRow("base and tool fitted, nominal robot", result.rows, *result.base_and_tool_only));
   }
   const FitResult& fit = *result.best();
-  AddErrorRow(
-      "calibrated, fitted rows", result.rows, fit.rms, fit.rms_point, fit.max_point, &table);
+  table.AddRow(
+      ErrorRow("calibrated, fitted rows", result.rows, {fit.rms, fit.rms_point, fit.max_point}));
   const ValidationResult& unseen = result.validation;
   if (!std::isnan(unseen.rms_test)) {
-    AddErrorRow("calibrated, unseen rows",
-                unseen.rows,
-                unseen.rms_test,
-                unseen.rms_point_test,
-                unseen.max_point_test,
-                &table);
+    table.AddRow(ErrorRow("calibrated, unseen rows",
+                          unseen.rows,
+                          {unseen.rms_test, unseen.rms_point_test, unseen.max_point_test}));
   }
-  return table.ToString();
+  return table;
 }
 
 }  // namespace
 
-std::string OutcomeSection(const Result& result) {
+Section OutcomeSection(const Result& result) {
   const FitResult& fit = *result.best();
-  std::string text = Heading("RESULT") + Wrap("  ", Answer(result)) + "\n" + ErrorTable(result);
+  Section section{"RESULT", {Paragraph{{Answer(result)}, ""}, ErrorTable(result)}};
+  const auto say = [&](const std::string& sentence) {
+    section.blocks.push_back(Paragraph{{sentence}, ""});
+  };
   if (!std::isnan(fit.rms_rotation)) {
-    text += "\n" + Wrap("  ",
-                        fmt::format("Error of the predicted orientation: {:.4g} mrad RMS per "
-                                    "component after calibration.",
-                                    fit.rms_rotation / kMilliradian));
+    say(
+        fmt::format("Error of the predicted orientation: {:.4g} mrad RMS per component after "
+                    "calibration.",
+                    fit.rms_rotation / kMilliradian));
   }
   if (!std::isnan(fit.chi2_reduced)) {
-    text += "\n" + Wrap("  ",
-                        fmt::format("Reduced chi-square {:.3g}; 1 means that the residuals "
-                                    "are as large as the stated noise.",
-                                    fit.chi2_reduced));
+    say(
+        fmt::format("Reduced chi-square {:.3g}; 1 means that the residuals are as large as the "
+                    "stated noise.",
+                    fit.chi2_reduced));
   }
-  return text;
+  return section;
 }
 
-std::string NoOutcomeSection(const Result& result) {
-  std::string text = Heading("NO USABLE RESULT");
-  text += Wrap("  ",
-               "No solver found parameters that may be used, so none are printed and no "
-               "calibrated.yaml is written. How each solver ended stands below.");
+Section NoOutcomeSection(const Result& result) {
+  Section section{"NO USABLE RESULT",
+                  {Paragraph{{"No solver found parameters that may be used, so none are printed "
+                              "and no calibrated.yaml is written. How each solver ended stands "
+                              "below."},
+                             ""}}};
   if (!std::isnan(result.nominal.rms)) {
-    text += "\n" + Wrap("  ",
-                        fmt::format("Error of the predicted {} with the nominal parameters: "
-                                    "{}.",
-                                    result.kind.noun,
-                                    NominalError(result)));
+    section.blocks.push_back(
+        Paragraph{{fmt::format("Error of the predicted {} with the nominal parameters: {}.",
+                               result.kind.noun,
+                               NominalError(result))},
+                  ""});
   }
-  return text;
+  return section;
 }
 
-std::string ValidationSection(const Result& result) {
-  if (result.best() == nullptr) return "";
+Section ValidationSection(const Result& result) {
+  if (result.best() == nullptr) return {};
   const ValidationResult& validation = result.validation;
-  std::string text = Heading("VALIDATION");
+  Paragraph text;
   if (validation.method.empty()) {
-    return text + Wrap("  ",
-                       "Nothing was predicted that had not been fitted. To test the result, "
-                       "give rows of the recording the value test in a column set.");
+    text.lines = {
+        "Nothing was predicted that had not been fitted. To test the result, give rows of the "
+        "recording the value test in a column set."};
+    return {"VALIDATION", {text}};
   }
-  text += Wrap("  ",
-               fmt::format("Method: {}, {} predicted without having been fitted.",
-                           validation.method,
-                           Counted(std::max(validation.rows, 0), "row")));
-  text += Wrap("  ",
-               fmt::format("RMS per coordinate: {} on fitted rows, {} on unseen rows; "
-                           "noise: {}.",
-                           WithMillimetres(validation.rms_train),
-                           WithMillimetres(validation.rms_test),
-                           WithMillimetres(validation.noise_sigma)));
-  return text;
+  text.lines = {fmt::format("Method: {}, {} predicted without having been fitted.",
+                            validation.method,
+                            Counted(std::max(validation.rows, 0), "row")),
+                fmt::format("RMS per coordinate: {} on fitted rows, {} on unseen rows; noise: {}.",
+                            WithMillimetres(validation.rms_train),
+                            WithMillimetres(validation.rms_test),
+                            WithMillimetres(validation.noise_sigma))};
+  return {"VALIDATION", {text}};
 }
 
 }  // namespace dhcal

@@ -7,10 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "core/base/units.h"
-#include "core/math/statistics.h"
 #include "core/report/format.h"
 #include "core/report/sections.h"
-#include "core/report/text_table.h"
 
 namespace dhcal {
 namespace {
@@ -20,9 +18,6 @@ constexpr std::size_t kMostFixedNames = 40;
 constexpr int kNameWidth = 40;
 constexpr int kNumberWidth = 9;
 constexpr int kValueWidth = 10;
-// A reduced chi-square this large is no noise that was stated a little too small, ...
-constexpr double kFarAboveNoise = 1.5;
-constexpr double kNoChance = 1e-3;  // ... and, with few readings, this improbable no chance.
 
 /// The units that one table prints.
 struct PrintedUnits {
@@ -36,14 +31,14 @@ struct PrintedUnits {
 
 PrintedUnits UnitsOf(Unit unit, bool noise_free) {
   if (unit == Unit::kRadian) {
-    return noise_free ? PrintedUnits{"Angles", "[deg]", kDegree, "[urad]", 1e-6, 3}
-                      : PrintedUnits{"Angles", "[deg]", kDegree, "[mrad]", kMilliradian, 5};
+    return noise_free ? PrintedUnits{"Angles", "deg", kDegree, "urad", 1e-6, 3}
+                      : PrintedUnits{"Angles", "deg", kDegree, "mrad", kMilliradian, 5};
   }
-  return noise_free ? PrintedUnits{"Lengths", "[mm]", kMillimetre, "[um]", kMicrometre, 3}
-                    : PrintedUnits{"Lengths", "[mm]", kMillimetre, "[mm]", kMillimetre, 5};
+  return noise_free ? PrintedUnits{"Lengths", "mm", kMillimetre, "um", kMicrometre, 3}
+                    : PrintedUnits{"Lengths", "mm", kMillimetre, "mm", kMillimetre, 5};
 }
 
-void AddParameter(const ParameterResult& parameter, const PrintedUnits& units, TextTable* table) {
+void AddParameter(const ParameterResult& parameter, const PrintedUnits& units, Table* table) {
   const double sigma = parameter.sigma / units.correction;
   // Two digits of the uncertainty, and all numbers beside it as many decimals.
   const int wanted = DecimalsOf(sigma, std::min(4, units.most_decimals));
@@ -65,49 +60,52 @@ void AddParameter(const ParameterResult& parameter, const PrintedUnits& units, T
                  ToString(parameter.verdict)});
 }
 
-std::string UnitTable(const FitResult& fit, Unit unit, bool noise_free) {
+/// The parameters of one unit; without rows where there are none.
+Table UnitTable(const FitResult& fit, Unit unit, bool noise_free) {
   const PrintedUnits units = UnitsOf(unit, noise_free);
   const char* const small = units.correction_name;
-  constexpr auto point = TextTable::Align::kPoint;
-  TextTable table({{"parameter", "", kNameWidth, TextTable::Align::kLeft},
+  constexpr auto point = Table::Align::kPoint;
+  Table table;
+  table.title = units.title;
+  table.columns = {{"parameter", "", kNameWidth, Table::Align::kLeft},
                    {"nominal", units.value_name, kValueWidth, point},
                    {"correction", small, kNumberWidth, point},
                    {"+- sigma", small, kNumberWidth, point},
                    {"95 % from", small, kNumberWidth, point},
                    {"to", small, kNumberWidth, point},
                    {"calibrated", units.value_name, kValueWidth, point},
-                   {"verdict", "", 12, TextTable::Align::kLeft}});
+                   {"verdict", "", 12, Table::Align::kLeft}};
   std::size_t count = 0;
   for (const ParameterResult& parameter : fit.parameters) {
     if (parameter.unit != unit || parameter.verdict == Verdict::kFixed) continue;
     if (++count <= kMostTableRows) AddParameter(parameter, units, &table);
   }
-  if (count == 0) return "";
-  if (count > kMostTableRows) table.AddLine(AndMore(count - kMostTableRows));
-  return fmt::format("\n  {}\n{}", units.title, table.ToString());
+  if (count > kMostTableRows) table.AddLeftOut(count - kMostTableRows);
+  return table;
 }
 
 /// Parameters of physical effects, each in its own SI unit.
-std::string EffectTable(const FitResult& fit) {
-  TextTable table({{"parameter", "", kNameWidth, TextTable::Align::kLeft},
+Table EffectTable(const FitResult& fit) {
+  Table table;
+  table.title = "Physical effects";
+  table.columns = {{"parameter", "", kNameWidth, Table::Align::kLeft},
                    {"value", "", kNumberWidth + 1},
                    {"+- sigma", "", kNumberWidth + 1},
-                   {"unit", "", 20, TextTable::Align::kLeft},
-                   {"verdict", "", 12, TextTable::Align::kLeft}});
-  bool any = false;
+                   {"unit", "", 20, Table::Align::kLeft},
+                   {"verdict", "", 12, Table::Align::kLeft}};
   for (const ParameterResult& parameter : fit.parameters) {
     if (parameter.unit != Unit::kOther) continue;
-    any = true;
     table.AddRow({parameter.name,
                   Scientific(parameter.value, 3),
                   Scientific(parameter.sigma, 1),
                   parameter.unit_text,
                   ToString(parameter.verdict)});
   }
-  return any ? "\n  Physical effects\n" + table.ToString() : "";
+  return table;
 }
 
-std::string FixedParameters(const FitResult& fit) {
+/// Which parameters were held; "" when none was.
+std::string HeldWords(const FitResult& fit) {
   std::vector<std::string> names;
   for (const ParameterResult& parameter : fit.parameters) {
     if (parameter.verdict == Verdict::kFixed) names.push_back(parameter.name);
@@ -118,37 +116,12 @@ std::string FixedParameters(const FitResult& fit) {
     names.resize(kMostFixedNames);
     names.push_back(AndMore(total - kMostFixedNames));
   }
-  return "\n" + Wrap("  ", fmt::format("Held at their nominal values: {}", fmt::join(names, ", ")));
+  return fmt::format("Held at their nominal values: {}", fmt::join(names, ", "));
 }
 
-/// True where the diagnosis came to an answer: it gives up when the complete geometry has no fit.
-bool IsDiagnosed(const Result& result) {
-  return result.diagnosis && result.diagnosis->misfit.rows >= 0;
-}
-
-/// True if the readings are missed by more than their noise: by the diagnosis, else by chi-square.
-bool LeavesMoreThanNoise(const Result& result, const FitResult& fit) {
-  if (IsDiagnosed(result)) return result.diagnosis->verdict != DiagnosisVerdict::kConsistent;
-  if (!(fit.chi2_reduced > kFarAboveNoise)) return false;
-  const double squares = 2 * fit.cost;
-  return ChiSquareTail(squares, squares / fit.chi2_reduced) < kNoChance;
-}
-
-/// True if all that was left out is geometry, which the readings took into other parameters.
-bool OnlyGeometryLeftOut(const Result& result) {
-  if (!IsDiagnosed(result) || result.diagnosis->verdict != DiagnosisVerdict::kExplained) {
-    return false;
-  }
-  const std::vector<Finding>& findings = result.diagnosis->findings;
-  return std::all_of(findings.begin(), findings.end(), [](const Finding& finding) {
-    return finding.effect_class == "geometry";
-  });
-}
-
-/// For which parameters the intervals hold. They know of noise and tolerances: what the model
-/// leaves out moves parameters by any number of sigmas.
+/// For which parameters the intervals hold.
 std::string IntervalWords(const Result& result, const FitResult& fit) {
-  if (!LeavesMoreThanNoise(result, fit)) {
+  if (result.intervals == IntervalVerdict::kHold) {
     return "Sigma and the 95 % interval are those of the correction. They hold for the "
            "parameters called identified; for the others see the next section.";
   }
@@ -157,31 +130,32 @@ std::string IntervalWords(const Result& result, const FitResult& fit) {
         return parameter.unit == Unit::kOther;
       });
   const std::string why =
-      OnlyGeometryLeftOut(result)
+      result.intervals == IntervalVerdict::kGeometryIncomplete
           ? "The geometry that the file estimates is not complete, so the intervals do not hold"
           : fmt::format("The {} model does not meet the noise, so the intervals do not hold",
                         with_effects ? "fitted" : "rigid");
+  const bool diagnosed = result.diagnosis && result.diagnosis->answered();
   return fmt::format(
       "Sigma and the 95 % interval are those of the correction. {}, not even for the parameters "
       "called identified: what is left out has moved parameters{}.",
       why,
-      IsDiagnosed(result) ? ", see LEFT-OUT PHYSICS" : "");
+      diagnosed ? ", see LEFT-OUT PHYSICS" : "");
 }
 
 }  // namespace
 
-bool IsNoiseFree(const Result& result) {
-  constexpr double kBelowAnyInstrument = 1e-7;  // [m]
-  return result.best() != nullptr && result.best()->rms < kBelowAnyInstrument;
-}
-
-std::string ParameterSection(const Result& result) {
+Section ParameterSection(const Result& result) {
   const FitResult* const fit = result.best();
-  if (fit == nullptr || fit->parameters.empty()) return "";
-  const bool noise_free = IsNoiseFree(result);
-  return Heading("PARAMETERS") + Wrap("  ", IntervalWords(result, *fit)) +
-         UnitTable(*fit, Unit::kRadian, noise_free) + UnitTable(*fit, Unit::kMetre, noise_free) +
-         EffectTable(*fit) + FixedParameters(*fit);
+  if (fit == nullptr || fit->parameters.empty()) return {};
+  Section section{"PARAMETERS", {Paragraph{{IntervalWords(result, *fit)}, ""}}};
+  for (const Table& table : {UnitTable(*fit, Unit::kRadian, result.noise_free),
+                             UnitTable(*fit, Unit::kMetre, result.noise_free),
+                             EffectTable(*fit)}) {
+    if (!table.rows.empty()) section.blocks.push_back(table);
+  }
+  const std::string held = HeldWords(*fit);
+  if (!held.empty()) section.blocks.push_back(Paragraph{{held}, ""});
+  return section;
 }
 
 }  // namespace dhcal

@@ -6,10 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "core/base/text.h"
 #include "core/report/format.h"
 #include "core/report/sections.h"
-#include "core/report/text_table.h"
 
 namespace dhcal {
 namespace {
@@ -17,24 +15,8 @@ namespace {
 constexpr std::size_t kMostResiduals = 5;
 constexpr std::size_t kMostNotes = 20;
 
-/// Largest standardised coordinate; zero when there is none.
-double Sigmas(const RowResidual& row) {
-  double largest = 0;
-  for (const double value : row.standardised) {
-    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-  }
-  return largest;
-}
-
-/// Length [m] of the residual without its rotations, which the names call r*.
-double Length(const RowResidual& row, const std::vector<std::string>& names) {
-  double sum = 0;
-  for (int i = 0; i < static_cast<int>(row.residual.size()); ++i) {
-    const bool rotation = i < static_cast<int>(names.size()) && StartsWith(names[i], "r");
-    if (!rotation) sum += row.residual[i] * row.residual[i];
-  }
-  return std::sqrt(sum);
-}
+/// How far a row is off, for comparison; a row of which that is not known comes last.
+double Sigmas(const RowResidual& row) { return std::isnan(row.sigmas) ? 0.0 : row.sigmas; }
 
 std::vector<const RowResidual*> WorstRows(const std::vector<RowResidual>& rows) {
   std::vector<const RowResidual*> worst;
@@ -52,33 +34,34 @@ std::vector<const RowResidual*> WorstRows(const std::vector<RowResidual>& rows) 
 
 }  // namespace
 
-std::string ResidualSection(const Result& result) {
-  if (result.best() == nullptr || result.residuals.empty()) return "";
-  TextTable table({{"row", ""},
-                   {"run", "", 30, TextTable::Align::kLeft},
-                   {"set", "", 6, TextTable::Align::kLeft},
-                   {"residual", "[mm]"},
-                   {"largest coordinate", "[standard deviations]"}});
+Section ResidualSection(const Result& result) {
+  if (result.best() == nullptr || result.residuals.empty()) return {};
+  Table table;
+  table.columns = {{"row", ""},
+                   {"run", "", 30, Table::Align::kLeft},
+                   {"set", "", 6, Table::Align::kLeft},
+                   {"residual", "mm"},
+                   {"largest coordinate", "standard deviations"}};
   for (const RowResidual* const row : WorstRows(result.residuals)) {
     table.AddRow({std::to_string(row->row_idx + 1),
                   row->run.empty() ? "-" : row->run,
                   row->test ? "unseen" : "fitted",
-                  Millimetres(Length(*row, result.coordinate_names)),
-                  Fixed(Sigmas(*row), 1)});
+                  Millimetres(row->length),
+                  Fixed(row->sigmas, 1)});
   }
-  return Heading("LARGEST RESIDUALS") + table.ToString();
+  return {"LARGEST RESIDUALS", {table}};
 }
 
-std::string NotesSection(const Result& result) {
-  if (result.notes.empty()) return "";
-  std::string text = Heading("NOTES");
-  for (std::size_t i = 0; i < result.notes.size() && i < kMostNotes; ++i) {
-    text += Wrap("  - ", result.notes[i]);
+Section NotesSection(const Result& result) {
+  if (result.notes.empty()) return {};
+  List notes;
+  notes.kind = List::Kind::kBullets;
+  for (const std::string& note : result.notes) {
+    if (notes.items.size() == kMostNotes) break;
+    notes.items.push_back({note, "", {}});
   }
-  if (result.notes.size() > kMostNotes) {
-    text += Wrap("  ", AndMore(result.notes.size() - kMostNotes));
-  }
-  return text;
+  notes.left_out = result.notes.size() - notes.items.size();
+  return {"NOTES", {notes}};
 }
 
 }  // namespace dhcal

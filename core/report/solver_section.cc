@@ -7,7 +7,6 @@
 
 #include "core/report/format.h"
 #include "core/report/sections.h"
-#include "core/report/text_table.h"
 
 namespace dhcal {
 namespace {
@@ -21,16 +20,16 @@ std::string Ending(const FitResult& fit) {
   return fit.converged ? "converged" : "not converged, but usable";
 }
 
-std::string BriefLine(const FitResult& fit) {
+std::string Brief(const FitResult& fit) {
   std::string text = Ending(fit);
   if (fit.iterations >= 0) text += ", " + Counted(fit.iterations, "iteration");
   if (fit.rank >= 0) text += fmt::format(", rank {} of {}", fit.rank, fit.columns);
   if (!std::isnan(fit.cost)) text += fmt::format(", cost {:.4e}", fit.cost);
   if (!std::isnan(fit.seconds)) text += fmt::format(", {:.3g} s", fit.seconds);
-  return Wrap(fmt::format("  {:<20}", SolverName(fit.solver)), text);
+  return text;
 }
 
-void AddStep(const IterationRecord& record, TextTable* table) {
+void AddStep(const IterationRecord& record, Table* table) {
   table->AddRow({record.iteration < 0 ? "-" : std::to_string(record.iteration),
                  Scientific(record.cost, 4),
                  Scientific(record.kappa_norm, 4),
@@ -38,43 +37,84 @@ void AddStep(const IterationRecord& record, TextTable* table) {
                  Scientific(record.step_norm, 3)});
 }
 
-/// Columns of fixed width: the tables of two solvers can be read one under the other.
-std::string TraceTable(const std::vector<IterationRecord>& trace) {
-  constexpr auto kRight = TextTable::Align::kRight;
-  TextTable table({{"iteration", "", 9, kRight, 9},
-                   {"cost", "", 12, kRight, 12},
-                   {"||J drho - dx|| [m]", "", 12, kRight, 19},
-                   {"rank", "", 6, kRight, 6},
-                   {"step [tolerances]", "", 12, kRight, 17}});
-  const bool is_long = trace.size() > kFirstSteps + kLastSteps + 1;
-  for (std::size_t i = 0; i < trace.size(); ++i) {
+Table TraceTable(const FitResult& fit) {
+  Table table;
+  table.title = "Iterations of " + SolverName(fit.solver);
+  table.columns = {{"iteration", ""},
+                   {"cost", ""},
+                   {"||J drho - dx||", "m"},
+                   {"rank", ""},
+                   {"step", "tolerances"}};
+  const bool is_long = fit.trace.size() > kFirstSteps + kLastSteps + 1;
+  for (std::size_t i = 0; i < fit.trace.size(); ++i) {
     if (is_long && i == kFirstSteps) {
-      const std::size_t left_out = trace.size() - kFirstSteps - kLastSteps;
-      table.AddLine(AndMore(left_out));
+      const std::size_t left_out = fit.trace.size() - kFirstSteps - kLastSteps;
+      table.AddLeftOut(left_out);
       i += left_out;
     }
-    AddStep(trace[i], &table);
+    AddStep(fit.trace[i], &table);
   }
-  return table.ToString();
+  return table;
+}
+
+/// One quantity of all iterations, a series per solver. Iterations in which it is not known, or
+/// zero, have no point on a logarithmic axis.
+Figure TraceFigure(const Result& result,
+                   double IterationRecord::*quantity,
+                   const Figure::Axis& axis,
+                   const std::string& caption) {
+  Figure figure;
+  figure.caption = caption;
+  figure.x = {"iteration", ""};
+  figure.y = axis;
+  for (const FitResult& fit : result.fits) {
+    Figure::Series series;
+    series.name = SolverName(fit.solver);
+    for (const IterationRecord& record : fit.trace) {
+      const double value = record.*quantity;
+      if (!std::isfinite(value) || value <= 0) continue;
+      series.x.push_back(record.iteration);
+      series.y.push_back(value);
+    }
+    if (!series.x.empty()) figure.series.push_back(series);
+  }
+  return figure;
+}
+
+void AddFigures(const Result& result, Section* section) {
+  const Figure cost = TraceFigure(result,
+                                  &IterationRecord::cost,
+                                  {"cost", "", true},
+                                  "Half the sum of whitened squares after each iteration.");
+  const Figure kappa =
+      TraceFigure(result,
+                  &IterationRecord::kappa_norm,
+                  {"||J drho - dx||", "m", true},
+                  "What the linear model of each iteration leaves of the residuals.");
+  for (const Figure& figure : {cost, kappa}) {
+    if (!figure.series.empty()) section->blocks.push_back(figure);
+  }
 }
 
 }  // namespace
 
-std::string SolverSection(const Result& result) {
-  if (result.fits.empty()) return "";
-  std::string text = Heading("SOLVERS");
+Section SolverSection(const Result& result) {
+  if (result.fits.empty()) return {};
+  List endings;
+  endings.kind = List::Kind::kTerms;
   for (const FitResult& fit : result.fits) {
-    text += BriefLine(fit) + Wrap("    ", fit.message);
+    endings.items.push_back({Brief(fit), SolverName(fit.solver), {{fit.message, "", {}}}});
   }
+  Section section{"SOLVERS", {endings}};
   if (result.best() != nullptr && result.fits.size() > 1) {
-    text += Wrap(
-        "  ", fmt::format("What follows is the result of {}.", SolverName(result.best()->solver)));
+    section.blocks.push_back(Paragraph{
+        {fmt::format("What follows is the result of {}.", SolverName(result.best()->solver))}, ""});
   }
   for (const FitResult& fit : result.fits) {
-    if (fit.trace.empty()) continue;
-    text += fmt::format("\n  Iterations of {}\n", SolverName(fit.solver)) + TraceTable(fit.trace);
+    if (!fit.trace.empty()) section.blocks.push_back(TraceTable(fit));
   }
-  return text;
+  AddFigures(result, &section);
+  return section;
 }
 
 }  // namespace dhcal

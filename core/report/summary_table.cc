@@ -1,4 +1,5 @@
-// One line per problem.
+#include "core/report/summary_table.h"
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -6,8 +7,6 @@
 #include <fmt/format.h>
 
 #include "core/report/format.h"
-#include "core/report/text_report.h"
-#include "core/report/text_table.h"
 
 namespace dhcal {
 namespace {
@@ -45,18 +44,19 @@ std::vector<std::string> Cells(const SummaryRow& row) {
 
 }  // namespace
 
-std::string SummaryTable(const std::vector<SummaryRow>& rows) {
-  TextTable table({{"problem", "", 40, TextTable::Align::kLeft},
+Table SummaryTable(const std::vector<SummaryRow>& rows) {
+  Table table;
+  table.columns = {{"problem", "", 40, Table::Align::kLeft},
                    {"rows", "", 8},
                    {"rank", "", 9},
-                   {"solver", "", 6, TextTable::Align::kLeft},
+                   {"solver", "", 6, Table::Align::kLeft},
                    {"steps", "", 5},
-                   {"RMS before", "[mm]", 10},
-                   {"RMS after", "[mm]", 9},
-                   {"noise", "[mm]", 9},
-                   {"status", "", 14, TextTable::Align::kLeft}});
+                   {"RMS before", "mm", 10},
+                   {"RMS after", "mm", 9},
+                   {"noise", "mm", 9},
+                   {"status", "", 14, Table::Align::kLeft}};
   for (const SummaryRow& row : rows) table.AddRow(Cells(row));
-  return table.ToString();
+  return table;
 }
 
 }  // namespace dhcal

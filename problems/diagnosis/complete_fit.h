@@ -1,5 +1,5 @@
 // The complete geometry, alone or together with effects, fitted by Ceres: what every claim of a
-// diagnosis is measured against (physics.md X1, B.3 steps 2 and 8).
+// diagnosis is measured against (PHYSICS.md X1, M2).
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_COMPLETE_FIT_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_COMPLETE_FIT_H_
 

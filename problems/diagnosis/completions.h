@@ -1,5 +1,5 @@
 // Geometric freedoms that a problem file may leave out: a tilt of parallel axes, the base frame,
-// the tool frame (physics.md X1).
+// the tool frame (PHYSICS.md X1).
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_COMPLETIONS_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_COMPLETIONS_H_
 

@@ -103,7 +103,7 @@ void AddMoved(const std::vector<RowCorrection>& own, const HeldFit& with, Diagno
       if (p.name != correction.parameter.name) continue;
       MovedParameter moved;
       moved.name = p.name;
-      moved.unit = ToString(p.unit);
+      moved.unit = p.unit;
       moved.before = correction.value;
       moved.after = with.state()[static_cast<Eigen::Index>(k)];
       moved.sigma = correction.tolerance();

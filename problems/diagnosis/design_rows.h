@@ -5,7 +5,7 @@
 //   column of a parameter = sum over slots of (d reading / d slot) weight(row) / sigma
 //
 // Rows of adjacent readings hold two poses, each with its own weight. Shared-pose differences are
-// treated as the equivalent: positions with one free offset per series (physics.md D4); everything
+// treated as the equivalent: positions with one free offset per series (PHYSICS.md N1); everything
 // that leaves this class is projected off those offsets already, so that a recording may have any
 // number of series. The same derivatives as the residual blocks', which a test compares.
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_DESIGN_ROWS_H_

@@ -25,7 +25,7 @@ using Eigen::VectorXd;
 
 constexpr int kUnseenPoses = 300;
 constexpr double kHalfRange = 120 * kDegree;
-constexpr double kDetection = 27;  // non-centrality found with 90 % at 1e-4 (physics.md A.8)
+constexpr double kDetection = 27;  // non-centrality found with 90 % at 1e-4 (PHYSICS.md M5)
 // An effect's prior sigma in typical sizes: wide, so that the data limit the risk and not what is
 // usual; it only bounds what no row of the recording shows.
 constexpr double kTypicalToPrior = 10;

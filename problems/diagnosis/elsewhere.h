@@ -1,5 +1,5 @@
 // What effects would do at poses that were not recorded: the error that a hidden one may cause, and
-// the poses that would tell two of them apart (physics.md B.5).
+// the poses that would tell two of them apart (PHYSICS.md M4).
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_ELSEWHERE_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_ELSEWHERE_H_
 

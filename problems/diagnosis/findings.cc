@@ -320,7 +320,7 @@ std::vector<MovedParameter> MovedParameters(const CompleteFit& before, const Com
     const auto i = static_cast<Eigen::Index>(k);
     MovedParameter m;
     m.name = p.name;
-    m.unit = ToString(p.unit);
+    m.unit = p.unit;
     m.before = before.state()[i];
     m.after = after.state()[i];
     m.sigma = sigma[i];

@@ -94,6 +94,7 @@ int HypothesisSpace::AddMap(const MapBlock& block) {
   Hypothesis h;
   h.slot = block.slot;
   h.driver = block.driver;
+  h.driver_unit = block.driver_unit;
   h.driver_values = block.driver_values;
   h.knots = block.knots;
   h.columns = AddColumns(raw);

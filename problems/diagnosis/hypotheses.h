@@ -23,6 +23,7 @@ struct Hypothesis {
   EffectPlace place;              // named
   int shape_block = -1;           // named: nuisance block of its shape errors, or -1
   std::string slot, driver;       // anonymous: "theta3", "q2"
+  std::string driver_unit;        // SI; empty = not known
   Eigen::VectorXd driver_values;  // anonymous, per recording row; empty = several drivers
   std::vector<double> knots;      // anonymous, of a curve
   ColumnRange columns;
@@ -39,6 +40,7 @@ struct Hypothesis {
 /// Columns of an anonymous block before they become rows.
 struct MapBlock {
   std::string slot, driver;
+  std::string driver_unit;  // SI; empty = not known
   Eigen::VectorXd driver_values;
   std::vector<double> knots;
   std::vector<std::vector<SlotWeights>> columns;

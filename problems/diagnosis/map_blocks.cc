@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/model/robot.h"
 #include "core/physics/columns.h"
 #include "core/physics/gravity.h"
 #include "problems/diagnosis/hypotheses.h"
@@ -24,7 +25,8 @@ constexpr int kFewRows = 60;  // with fewer rows, curves of fewer knots
 /// A driver and the functions of it that are tried.
 struct Driver {
   std::string name;
-  VectorXd values;  // empty: several
+  std::string unit;  // SI; empty = not known, or none
+  VectorXd values;   // empty: several
   std::vector<double> knots;
   Eigen::MatrixXd functions;  // rows x functions
 };
@@ -42,18 +44,26 @@ std::vector<double> Knots(const VectorXd& values, int count) {
   return knots;
 }
 
-Driver Curve(std::string name, const VectorXd& values, int knots) {
-  Driver driver{std::move(name), values, Knots(values, knots), {}};
+Driver Curve(std::string name, std::string unit, const VectorXd& values, int knots) {
+  Driver driver{std::move(name), std::move(unit), values, Knots(values, knots), {}};
   driver.functions = Hats(values, driver.knots);
   return driver;
 }
 
+bool Slides(const PhysicsContext& c, int joint) {
+  return c.robot().joints[static_cast<std::size_t>(joint)].type == JointType::kPrismatic;
+}
+
+Driver JointCurve(const PhysicsContext& c, int joint, int knots) {
+  return Curve(fmt::format("q{}", joint + 1), Slides(c, joint) ? "m" : "rad", c.q(joint), knots);
+}
+
 /// Linear and square of a standardised value: for drivers that take few values.
-Driver Powers(std::string name, const VectorXd& values, int powers) {
+Driver Powers(std::string name, std::string unit, const VectorXd& values, int powers) {
   const double mean = values.mean();
   const VectorXd centred = values.array() - mean;
   const double spread = std::max(std::sqrt(centred.array().square().mean()), 1e-300);
-  Driver driver{std::move(name), values, Knots(values, kKnots), {}};
+  Driver driver{std::move(name), std::move(unit), values, Knots(values, kKnots), {}};
   driver.functions.resize(values.size(), powers);
   for (int k = 0; k < powers; ++k) {
     driver.functions.col(k) = (centred / spread).array().pow(k + 1).matrix();
@@ -65,6 +75,7 @@ MapBlock OnSlots(const std::string& name, const std::vector<int>& slots, const D
   MapBlock block;
   block.slot = name;
   block.driver = driver.name;
+  block.driver_unit = driver.unit;
   block.driver_values = driver.values;
   block.knots = driver.knots;
   for (const int slot : slots) {
@@ -79,20 +90,22 @@ MapBlock OnSlots(const std::string& name, const std::vector<int>& slots, const D
 std::vector<Driver> CommonDrivers(const PhysicsContext& c) {
   const Recording& rec = c.recording();
   std::vector<Driver> drivers;
-  const auto add = [&](const std::string& name, const VectorXd& values) {
-    if (!IsConstant(values)) drivers.push_back(Powers(name, values, 2));
+  const auto add = [&](const std::string& name, const char* unit, const VectorXd& values) {
+    if (!IsConstant(values)) drivers.push_back(Powers(name, unit, values, 2));
   };
   if (!IsConstant(c.clock())) {
-    drivers.push_back(Curve(c.has_one_clock() ? "time" : "order of the rows", c.clock(), kKnots));
+    drivers.push_back(c.has_one_clock() ? Curve("time", "s", c.clock(), kKnots)
+                                        : Curve("order of the rows", "", c.clock(), kKnots));
   }
   VectorXd payload(c.num_rows());
   for (int row = 0; row < c.num_rows(); ++row) payload[row] = c.payload(row);
-  add("payload", payload);
+  add("payload", "kg", payload);
   for (Eigen::Index k = 0; k < rec.temperature.cols(); ++k) {
     add(rec.temperature.cols() == 1 ? "temperature" : fmt::format("temperature {}", k + 1),
+        "degC",
         rec.temperature.col(k));
   }
-  for (const ExtraColumn& column : rec.extra) add("column " + column.name, column.values);
+  for (const ExtraColumn& column : rec.extra) add("column " + column.name, "", column.values);
   return drivers;
 }
 
@@ -100,18 +113,20 @@ std::vector<Driver> CommonDrivers(const PhysicsContext& c) {
 std::vector<Driver> OwnDrivers(const PhysicsContext& c, int joint, int own_knots) {
   std::vector<Driver> drivers;
   const Recording& rec = c.recording();
-  drivers.push_back(Curve(fmt::format("q{}", joint + 1), c.q(joint), own_knots));
+  const bool slides = Slides(c, joint);
+  const char* const torque_unit = slides ? "N" : "N m";
+  drivers.push_back(JointCurve(c, joint, own_knots));
   const VectorXd direction = c.direction().col(joint);
-  if (!IsConstant(direction)) drivers.push_back(Powers("approach direction", direction, 1));
+  if (!IsConstant(direction)) drivers.push_back(Powers("approach direction", "", direction, 1));
   if (rec.speed.rows() > 0 && !IsConstant(rec.speed.col(joint))) {
-    drivers.push_back(Powers("joint speed", rec.speed.col(joint), 2));
+    drivers.push_back(Powers("joint speed", slides ? "m/s" : "rad/s", rec.speed.col(joint), 2));
   }
   if (rec.torque.rows() > 0 && !IsConstant(rec.torque.col(joint))) {
-    drivers.push_back(Powers("measured torque", rec.torque.col(joint), 3));
+    drivers.push_back(Powers("measured torque", torque_unit, rec.torque.col(joint), 3));
   }
   if (!c.robot().links.empty() && GravityLoads(c, joint)) {
-    drivers.push_back(
-        Powers("gravity torque", GravityTorque(c, MassCases(c, joint).front(), joint), 3));
+    drivers.push_back(Powers(
+        "gravity torque", torque_unit, GravityTorque(c, MassCases(c, joint).front(), joint), 3));
   }
   return drivers;
 }
@@ -213,7 +228,7 @@ std::vector<MapBlock> MapBlocks(const PhysicsContext& c) {
   std::vector<Driver> angles;
   for (int joint = 0; joint < c.num_joints(); ++joint) {
     if (!c.moves(joint)) continue;
-    angles.push_back(Curve(fmt::format("q{}", joint + 1), c.q(joint), kKnots));
+    angles.push_back(JointCurve(c, joint, kKnots));
   }
   std::vector<MapBlock> blocks;
   for (int joint = 0; joint < c.num_joints(); ++joint) {

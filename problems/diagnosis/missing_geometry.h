@@ -1,5 +1,5 @@
 // Geometric freedoms that the problem file holds fixed although the readings ask for them
-// (physics.md X1), judged beside the physics that was found: strong physics asks for any of them.
+// (PHYSICS.md X1), judged beside the physics that was found: strong physics asks for any of them.
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_MISSING_GEOMETRY_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_MISSING_GEOMETRY_H_
 

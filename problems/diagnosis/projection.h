@@ -12,7 +12,7 @@ namespace dhcal {
 
 /// Orthonormal basis of the columns of J that are independent to `relative_cut` after scaling the
 /// columns to unit length. Columns that are zero but for rounding are dropped first: scaling them
-/// up would make directions out of nothing (physics.md B.2).
+/// up would make directions out of nothing (PHYSICS.md M1).
 Eigen::MatrixXd OrthonormalBasis(const Eigen::MatrixXd& J, double relative_cut = 1e-7);
 
 /// Orthonormal basis of the directions of A whose singular value exceeds `cut`. With columns in

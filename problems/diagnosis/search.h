@@ -1,5 +1,5 @@
 // Which effects are there? Detection, naming, confusion and abstention in one procedure: the
-// confidence set over hypotheses of shared physics.md B.4, for single effects and, where none
+// confidence set over hypotheses of PHYSICS.md M3, for single effects and, where none
 // suffices, for sets found by forward, backward and swap moves.
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_SEARCH_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_SEARCH_H_

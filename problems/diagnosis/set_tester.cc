@@ -325,7 +325,7 @@ double SetTester::Price(int k, double noise) const {
   const double by_count = range.size * std::log(options_.nu);
   if (!at(k).is_curve()) return by_count;
   // Coefficients with a prior: only those that the rows determine cost anything (the determinant of
-  // the Laplace approximation, physics.md B.2).
+  // the Laplace approximation, PHYSICS.md M1).
   auto& squares = curve_squares_[k];
   if (squares.size() == 0) {
     squares = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(

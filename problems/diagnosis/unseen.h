@@ -1,6 +1,6 @@
 // Prediction of rows that were not fitted: whole regions of the joint space, runs, or the rows that
 // the recording marks as test. Random folds would leave neighbours of every row in the fit and
-// hide what matters (physics.md B.1).
+// hide what matters (PHYSICS.md M6).
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_UNSEEN_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_UNSEEN_H_
 

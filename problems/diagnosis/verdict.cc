@@ -77,7 +77,7 @@ void FillHypotheses(const HypothesisSpace& space, const SearchOutcome& out, Diag
   });
 }
 
-/// What tells the members of a confusability class apart (physics.md A.10).
+/// What tells the members of a confusability class apart (PHYSICS.md C1 to C10).
 std::string ClassAdvice(const std::string& effect_class) {
   static const std::map<std::string, std::string> advice = {
       {"C1", "a second target on the base or on link 2, or a load from the side"},
@@ -202,6 +202,7 @@ Unexplained Curve(const HypothesisSpace& space,
   Unexplained rest;
   rest.slot = h.slot;
   rest.driver = h.driver;
+  rest.driver_unit = h.driver_unit;
   if (h.driver_values.size() == 0 || h.knots.size() < 2) return rest;
   std::vector<double> knots;
   const auto count = std::min<std::size_t>(kCurveKnots, h.knots.size());
@@ -230,7 +231,7 @@ Unexplained Curve(const HypothesisSpace& space,
     if (removed <= best) continue;
     best = removed;
     rest.slot = name;
-    rest.unit = slots.is_angle(slot) ? "rad" : "m";
+    rest.unit = slots.is_angle(slot) ? Unit::kRadian : Unit::kMetre;
     rest.curve.clear();
     for (Eigen::Index k = 0; k < amount.size(); ++k) {
       rest.curve.push_back({knots[static_cast<std::size_t>(k)],

@@ -141,6 +141,7 @@ inline FitResult ExampleFit(SolverMethod solver) {
   fit.kappa_norm = 1.9e-5;
   fit.cost = 17.25;
   fit.chi2_reduced = 1.04;
+  fit.chi2_p = 0.42;
   fit.seconds = 0.0125;
   fit.rms = 2.04e-5;
   fit.rms_point = 3.53e-5;
@@ -176,6 +177,8 @@ inline std::vector<RowResidual> ExampleResiduals(const Recording& recording) {
     row.residual = Eigen::Vector3d(std::sin(i), std::sin(2 * i), std::sin(3 * i)) * 4e-5;
     row.predicted_after = row.measured - row.residual;
     row.standardised = row.residual / 2e-5;
+    row.length = row.residual.norm();
+    row.sigmas = row.standardised.cwiseAbs().maxCoeff();
     if (!row.test) row.leverage = 0.5;
     row.run = recording.run_names[recording.run(i)];
     residuals.push_back(row);

@@ -56,3 +56,7 @@ add_test(NAME tools/layers_self_test
          COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/check_layers_test.py")
 add_test(NAME tools/build COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/build_test.py"
                                   "${CMAKE_COMMAND}")
+add_test(NAME tools/citations
+         COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tools/check_citations.py")
+add_test(NAME tools/citations_self_test
+         COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/check_citations_test.py")

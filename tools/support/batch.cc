@@ -10,7 +10,10 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
-#include "core/report/text_report.h"
+#include "core/report/report.h"
+#include "core/report/summary_table.h"
+#include "core/report/text_renderer.h"
+#include "core/report/text_table.h"
 #include "problems/diagnosis/diagnose.h"
 #include "problems/formats/problem/effects_reader.h"
 #include "problems/formats/problem/problem_checks.h"
@@ -19,6 +22,7 @@
 #include "problems/formats/recording/recording_reader.h"
 #include "problems/formats/result/result_writer.h"
 #include "problems/identify.h"
+#include "problems/judgement.h"
 #include "problems/simulate.h"
 #include "tools/support/progress_printer.h"
 
@@ -110,12 +114,12 @@ Outcome RunJob(const Job& job, bool quiet) {
     if (outcome.result.diagnosis->verdict == DiagnosisVerdict::kFailed) {
       std::cerr << job.spec.name << ": warning: " << outcome.result.diagnosis->summary << ".\n";
     }
+    outcome.result.intervals = JudgeIntervals(outcome.result);
   }
-  const std::string report = TextReport(job.spec, outcome.result);
-  if (!quiet) std::cout << report << std::flush;
+  if (!quiet) std::cout << ToText(ReportOf(job.spec, outcome.result)) << std::flush;
 
   Diagnostics diagnostics;
-  if (!WriteResult(job.spec, job.recording, outcome.result, report, job.directory, &diagnostics)) {
+  if (!WriteResult(job.spec, job.recording, outcome.result, job.directory, &diagnostics)) {
     std::cerr << diagnostics.ToString();
     outcome.exit_status = kExitBadInput;
     outcome.status = "not written";
@@ -168,7 +172,7 @@ int RunBatch(const CommandLine& command_line) {
     for (const Outcome& outcome : outcomes) {
       rows.push_back({outcome.problem, outcome.status, &outcome.result});
     }
-    std::cout << SummaryTable(rows);
+    std::cout << ToText(SummaryTable(rows));
   }
   return exit_status;
 }

@@ -3,7 +3,7 @@
 //   d beta_i = b                             b [rad], Hayati's angle
 //
 // Plain DH rows have no parameter for it (Hayati 1983); left out, it looks like physics.
-// Typical: 0.1-0.5 mrad. Source: physics.md X1. Geometry, not physics: named first.
+// Typical: 0.1-0.5 mrad. Source: PHYSICS.md X1. Geometry, not physics: named first.
 // Worked number: b = 0.3 mrad adds 0.3 mrad to beta2 in every row.
 #include <cmath>
 
@@ -23,7 +23,7 @@ class AxisTiltEffect final : public Effect {
             "tilt [rad]",
             {},
             "",
-            "0.1-0.5 mrad [physics.md X1]"};
+            "0.1-0.5 mrad [PHYSICS.md X1]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
     return CheckJoint(c, request);

@@ -3,7 +3,7 @@
 //   tilt about x, y of the axis' fixed frame:  w_x cos Nq - w_y sin Nq,  w_x sin Nq + w_y cos Nq
 //
 // w [rad]. N = 1 is mostly geometry (an alpha error turning with the rotor); N = 2 is genuine.
-// Typical: 10-50 urad. Source: physics.md X2.
+// Typical: 10-50 urad. Source: PHYSICS.md X2.
 // Worked number: w_x = 50 urad at joint 1, q = 10 deg, N = 2: base_rx = 50 cos 20 deg = 46.98 urad.
 #include <cmath>
 
@@ -23,7 +23,7 @@ class AxisWobbleEffect final : public Effect {
             "x, y [rad]",
             {{"order", "N, default 2"}},
             "",
-            "10-50 urad [physics.md X2]"};
+            "10-50 urad [PHYSICS.md X2]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
     if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;

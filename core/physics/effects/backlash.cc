@@ -8,7 +8,7 @@
 // nothing in static readings tells the two apart, so the finding names both.
 // b < 0 by approach direction is no play: the controller overcompensates, or it is wind-up of the
 // measured side.
-// Typical: 0.1-0.3 mrad (RV lost motion 1 arcmin). Source: physics.md B1, F1.
+// Typical: 0.1-0.3 mrad (RV lost motion 1 arcmin). Source: PHYSICS.md B1, F1.
 // Worked number: b = 0.3 mrad, last motion in the negative sense: -0.15 mrad.
 #include <cmath>
 
@@ -41,7 +41,7 @@ class BacklashEffect final : public Effect {
             "width [rad], of a prismatic joint [m]",
             {{"flank", "0 = approach direction, 1 = sign of gravity torque"}},
             "dir<j>, or poses in the order of the motion; robot.links with flank = 1",
-            "0.1-0.3 mrad [physics.md B1, F1]"};
+            "0.1-0.3 mrad [PHYSICS.md B1, F1]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
     if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;

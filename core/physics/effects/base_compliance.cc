@@ -5,7 +5,7 @@
 // M: gravity's moment about the base's origin, in base axes. A static tilt is geometry (base_rx,
 // base_ry). Equal C_x = C_y (a round pedestal) looks much like compliance of joint 2; unequal ones
 // are seen by turning joint 1.
-// Typical: 1e-8-1e-7 rad/(N m) bolted to concrete, 1e-7-1e-6 on a steel frame. Source: physics.md
+// Typical: 1e-8-1e-7 rad/(N m) bolted to concrete, 1e-7-1e-6 on a steel frame. Source: PHYSICS.md
 // E4. Worked number: row 0 of the example has M_y = +665 N m; 1e-7 rad/(N m) tilt it by 66.5 urad.
 #include <cmath>
 
@@ -29,7 +29,7 @@ class BaseComplianceEffect final : public Effect {
                         "products per moment",
                         {},
                         "robot.links for C itself",
-                        "0.01-1 urad/(N m) [physics.md E4]"};
+                        "0.01-1 urad/(N m) [PHYSICS.md E4]"};
     d.has_joint = false;
     return d;
   }

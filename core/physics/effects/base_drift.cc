@@ -3,7 +3,7 @@
 //   base_x += x u,  base_y += y u,  base_z += z u        [m]
 //
 // u: the course of a drift (core/physics/drift.h). Adjacent differences hardly see it.
-// Typical: 0.05-0.3 mm over a warm-up. Source: physics.md T2.
+// Typical: 0.05-0.3 mm over a warm-up. Source: PHYSICS.md T2.
 // Worked number: z = 0.1 mm/K at +10 K: +1 mm.
 #include <cmath>
 
@@ -25,7 +25,7 @@ class BaseDriftEffect final : public Effect {
                         "x, y, z [m], or [m/K] with temperatures",
                         {{"time_constant_s", "by the clock; 0 = steadily"}},
                         "temperature_C, or t_s with time_constant_s",
-                        "0.05-0.3 mm over a warm-up [physics.md T2]"};
+                        "0.05-0.3 mm over a warm-up [PHYSICS.md T2]"};
     d.has_joint = false;
     return d;
   }

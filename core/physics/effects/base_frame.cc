@@ -2,7 +2,7 @@
 //
 //   base_xyz += (x, y, z) [m],  base_rxyz += (rx, ry, rz) [rad]
 //
-// Left out, it looks like physics. Typical: 0.1-10 mm. Source: physics.md X1, D19. Geometry, not
+// Left out, it looks like physics. Typical: 0.1-10 mm. Source: PHYSICS.md X1. Geometry, not
 // physics: named first.
 // Worked number: z = 2 mm adds 2 mm to base_z in every row.
 #include "core/physics/frame_effect.h"

@@ -6,7 +6,7 @@
 // slow intermediate shaft. High N: gear mesh, wave generator (2 x ratio), motor-side resolver;
 // found by scanning (need not be an integer).
 // Typical: 0.1 mrad at N = 1 (RV gears 50-70 arcsec peak to peak), 0.02-0.15 mrad at mesh orders.
-// Source: physics.md G1, G2, G3.
+// Source: PHYSICS.md G1, G2, G3.
 // Worked number: A = 0.1 mrad, N = 1, q = 30 deg adds 50 urad.
 #include <cmath>
 
@@ -30,7 +30,7 @@ class GearHarmonicEffect final : public Effect {
             "sin_<N>, cos_<N> [rad]",
             {{"order", "N, default 1"}},
             "",
-            "0.1 mrad at N = 1; 0.02-0.15 mrad at mesh orders [physics.md G1-G3]"};
+            "0.1 mrad at N = 1; 0.02-0.15 mrad at mesh orders [PHYSICS.md G1-G3]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
     if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;

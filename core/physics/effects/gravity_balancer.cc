@@ -5,7 +5,7 @@
 // A spring between column and link acts with k (l - l0) a b sin(q + phi) / l(q), times the joint's
 // compliance; of its five numbers an amplitude and two of shape can be found, which the first two
 // harmonics hold. It does not change with payload, unlike compliance.
-// Typical: 20-60 % of the gravity torque of joint 2, 0.1 mm. Source: physics.md E2 (Dzubba 2025).
+// Typical: 20-60 % of the gravity torque of joint 2, 0.1 mm. Source: PHYSICS.md E2 (Dzubba 2025).
 // Worked number: s1 = 0.2 mrad at q = 30 deg adds 0.1 mrad.
 #include <cmath>
 
@@ -26,7 +26,7 @@ class GravityBalancerEffect final : public Effect {
             "sin_1, cos_1, sin_2, cos_2 [rad]",
             {},
             "a turning joint that gravity loads",
-            "0.1-0.3 mrad [physics.md E2]"};
+            "0.1-0.3 mrad [PHYSICS.md E2]"};
   }
 
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {

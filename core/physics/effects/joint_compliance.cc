@@ -8,7 +8,7 @@
 // free_masses = 1 does so although masses are given (they may be wrong). With the setting
 // measured_torque = 1, tau is the recording's torque column.
 // Typical: 2-6e5 N m/rad at joints 2 and 3 of a 15 kg arm (c = 2-5 urad/(N m)), 1-5e4 in its wrist.
-// Source: physics.md E1; rigidity of RV-20E/40E/80E gears 49/108/196 N m/arcmin.
+// Source: PHYSICS.md E1; rigidity of RV-20E/40E/80E gears 49/108/196 N m/arcmin.
 // Worked number: 100 N m at 3e-6 rad/(N m) turn the joint by 0.3 mrad.
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ class JointComplianceEffect final : public Effect {
             {{"measured_torque", "1 = use the torque column"},
              {"free_masses", "1 = do not trust robot.links"}},
             "robot.links for c itself; torque<j>_Nm with measured_torque",
-            "2-6 urad/(N m) at joints 1-3, 20-100 in the wrist [physics.md E1]"};
+            "2-6 urad/(N m) at joints 1-3, 20-100 in the wrist [PHYSICS.md E1]"};
   }
 
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {

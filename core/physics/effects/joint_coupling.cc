@@ -3,7 +3,7 @@
 //   d theta_j = k q_i                        k [rad/rad], i = driver_joint (setting)
 //
 // The controller compensates couplings with nominal ratios; k is what is left.
-// Typical: 1e-4-1e-3 where a ratio is wrong. Source: physics.md W1.
+// Typical: 1e-4-1e-3 where a ratio is wrong. Source: PHYSICS.md W1.
 // Worked number: k = 2e-4 of joint 4 at 40 deg (0.6981 rad) turns joint 5 by 139.6 urad.
 #include <cmath>
 
@@ -23,7 +23,7 @@ class JointCouplingEffect final : public Effect {
             "coupling [rad/rad]",
             {{"driver_joint", "i; default: the joint before j"}},
             "a second joint that moves",
-            "0.1-1 mrad/rad [physics.md W1]"};
+            "0.1-1 mrad/rad [PHYSICS.md W1]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
     if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;

@@ -3,7 +3,7 @@
 //   d theta_j = r u                          r [rad], or [rad/K] with temperatures
 //
 // u: the course of a drift (core/physics/drift.h).
-// Typical: 0.05-0.3 mrad. Source: physics.md T1 (gearbox-heated parts).
+// Typical: 0.05-0.3 mrad. Source: PHYSICS.md T1 (gearbox-heated parts).
 // Worked number: r = 0.2 mrad, T = 3600 s, t = 3600 s: 0.2 (1 - 1/e) = 0.1264 mrad.
 #include <cmath>
 
@@ -24,7 +24,7 @@ class JointDriftEffect final : public Effect {
             "drift [rad], or [rad/K] with temperatures",
             {{"time_constant_s", "by the clock; 0 = steadily"}},
             "temperature_C, or t_s with time_constant_s",
-            "0.05-0.3 mrad [physics.md T1]"};
+            "0.05-0.3 mrad [PHYSICS.md T1]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
     if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;

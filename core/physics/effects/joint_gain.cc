@@ -3,7 +3,7 @@
 //   d theta_j = g q_j                        g [rad/rad] (m/m for a prismatic joint)
 //
 // Same sense as the joint counts: g > 0 turns farther than asked.
-// Typical: 1e-4-1e-3 where a ratio was entered wrongly. Source: physics.md K1.
+// Typical: 1e-4-1e-3 where a ratio was entered wrongly. Source: PHYSICS.md K1.
 // Worked number: g = 1e-4 at q = 30 deg (0.5236 rad) adds 52.36 urad.
 #include <cmath>
 
@@ -23,7 +23,7 @@ class JointGainEffect final : public Effect {
             "gain [rad/rad]",
             {},
             "",
-            "0.1-1 mrad/rad [physics.md K1]"};
+            "0.1-1 mrad/rad [PHYSICS.md K1]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
     if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;

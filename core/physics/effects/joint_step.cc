@@ -2,7 +2,7 @@
 //
 //   d theta_j = s H(t - t0)                  s [rad]; t0 = setting at_s or at_row
 //
-// Typical: 0.1-1 mrad. Source: physics.md T3. Found by scanning t0.
+// Typical: 0.1-1 mrad. Source: PHYSICS.md T3. Found by scanning t0.
 // Worked number: s = 0.2 mrad at 3600 s: 0 before, 0.2 mrad from row 1 on.
 #include <cmath>
 
@@ -23,7 +23,7 @@ class JointStepEffect final : public Effect {
             "step [rad]",
             {{"at_s", "instant on the clock"}, {"at_row", "instant without a clock"}},
             "",
-            "0.1-1 mrad [physics.md T3]"};
+            "0.1-1 mrad [PHYSICS.md T3]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
     if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;

@@ -4,7 +4,7 @@
 //
 // The robot goes on moving after the joints were read, or has not got there: with t > 0 the point
 // is measured where the joints were t before the stamp.
-// Typical: 1 ms at 0.3 m/s: 0.3 mm. Source: physics.md D1.
+// Typical: 1 ms at 0.3 m/s: 0.3 mm. Source: PHYSICS.md Y1.
 // Worked number: t = 1 ms at 0.5 rad/s: -0.5 mrad.
 #include <cmath>
 
@@ -24,7 +24,7 @@ class LatencyEffect final : public Effect {
                         "time [s]",
                         {},
                         "qd<j>_deg_s (or _rad_s)",
-                        "0.1-5 ms [physics.md D1]"};
+                        "0.1-5 ms [PHYSICS.md Y1]"};
     d.has_joint = false;
     return d;
   }

@@ -8,7 +8,7 @@
 // both planes; the link's own weight is not counted.)
 // Link j is the body that joint j moves, whatever the convention: modified row j ends in a frame
 // that sits on axis j, so the beam of link j lies in row j + 1.
-// Typical: EI = 0.5-3e6 N m^2 of cast aluminium, 0.02-0.1 mm. Source: physics.md E3.
+// Typical: EI = 0.5-3e6 N m^2 of cast aluminium, 0.02-0.1 mm. Source: PHYSICS.md E3.
 // Worked number: 40 kg at the end of a 0.65 m beam, EI = 1e6: see the conformance test.
 #include <cmath>
 
@@ -62,7 +62,7 @@ class LinkBendingEffect final : public Effect {
             "flexibility 1/EI [1/(N m^2)]; without masses flexibility_x_<moment>",
             {},
             "robot.links for 1/EI itself",
-            "0.3-2e-6 1/(N m^2) [physics.md E3]"};
+            "0.3-2e-6 1/(N m^2) [PHYSICS.md E3]"};
   }
 
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {

@@ -6,7 +6,7 @@
 // (11e-6 steel, 23e-6 aluminium). Without: u = 1 - exp(-t/T) with the setting time_constant_s, and
 // e is the strain at the end of the warm-up. A uniform temperature of robot and instrument scales
 // all lengths alike, which no reading of this kind shows. Typical: 0.65 m of aluminium, 10 K: 0.15
-// mm (strain 230e-6). Source: physics.md T1. Worked number: e = 20e-6 1/K, 10 K, a_2 = 0.65 m:
+// mm (strain 230e-6). Source: PHYSICS.md T1. Worked number: e = 20e-6 1/K, 10 K, a_2 = 0.65 m:
 // +0.13 mm.
 #include <cmath>
 
@@ -27,7 +27,7 @@ class LinkThermalEffect final : public Effect {
             "expansion [1/K], or strain [1] without temperatures",
             {{"time_constant_s", "by the clock; 0 = steadily"}},
             "temperature_C, or t_s with time_constant_s",
-            "11-23e-6 1/K; 50-250e-6 per warm-up [physics.md T1]"};
+            "11-23e-6 1/K; 50-250e-6 per warm-up [PHYSICS.md T1]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
     if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;

@@ -6,7 +6,7 @@
 //
 // With free lengths, base and tool it is exactly the same as a larger robot: no reading of this
 // kind shows it, and the report always says so. It can be switched on where a length is held fixed
-// or a prior is given. Typical: 1-50 ppm. Source: physics.md S1, L1, finding 2. Worked number: e =
+// or a prior is given. Typical: 1-50 ppm. Source: PHYSICS.md S1. Worked number: e =
 // 10 ppm at z = 1 m: +10 um.
 #include <cmath>
 
@@ -26,7 +26,7 @@ class SensorScaleEffect final : public Effect {
                         "scale [1]",
                         {},
                         "",
-                        "1-50 ppm [physics.md S1, L1]; never visible with free lengths"};
+                        "1-50 ppm [PHYSICS.md S1]; never visible with free lengths"};
     d.has_joint = false;
     d.may_be_named = false;
     return d;

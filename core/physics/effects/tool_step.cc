@@ -3,7 +3,7 @@
 //   tool_xyz += (x, y, z) H(t - t0)          [m], in the flange's axes; t0 = setting at_s or at_row
 //
 // Without orientations a slip sideways and a step of the last joint are the same.
-// Typical: 0.05-0.5 mm. Source: physics.md T3. Found by scanning t0.
+// Typical: 0.05-0.5 mm. Source: PHYSICS.md T3. Found by scanning t0.
 // Worked number: x = 0.1 mm at 3600 s: 0 before, 0.1 mm from row 1 on.
 #include <cmath>
 
@@ -25,7 +25,7 @@ class ToolStepEffect final : public Effect {
                         "x, y, z [m]",
                         {{"at_s", "instant on the clock"}, {"at_row", "instant without a clock"}},
                         "",
-                        "0.05-0.5 mm [physics.md T3]"};
+                        "0.05-0.5 mm [PHYSICS.md T3]"};
     d.has_joint = false;
     return d;
   }

@@ -8,7 +8,7 @@
 // with the torque T up to which the gear is softer by c1. A small T is lost motion: play that
 // gravity takes up (backlash with flank = 1) looks the same, so its class is that of play. Needs
 // masses: neither is linear in unknown moments. Typical: K2/K1 = 1.3-1.6, so c3 tau^2 is about -0.1
-// c at the largest torque. Source: physics.md G4. Worked number: row 2 of the example, tau_3 = 0 N
+// c at the largest torque. Source: PHYSICS.md G4. Worked number: row 2 of the example, tau_3 = 0 N
 // m carried: see the conformance test.
 #include <cmath>
 
@@ -46,7 +46,7 @@ class TorsionNonlinearityEffect final : public Effect {
             {{"soft_torque_Nm", "T, end of the soft zone"},
              {"measured_torque", "1 = use the torque column"}},
             "robot.links, or torque<j>_Nm with measured_torque",
-            "a tenth of the linear yield at the largest torque [physics.md G4]"};
+            "a tenth of the linear yield at the largest torque [PHYSICS.md G4]"};
   }
 
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {

@@ -7,7 +7,7 @@
 // a few lines follow such a curve only where there are rows: between them they swing freely, while
 // a coefficient without rows stays at zero (its prior). So the curve holds where the joint has been
 // and claims nothing elsewhere.
-// Typical: 0.1-0.3 mrad RMS. Source: physics.md G1-G3; de Boor 1978 for the splines.
+// Typical: 0.1-0.3 mrad RMS. Source: PHYSICS.md G1-G3; de Boor 1978 for the splines.
 // Worked number: one coefficient of 0.3 mrad, at its knot, adds 2/3 of that, 0.2 mrad.
 #include <algorithm>
 #include <array>
@@ -44,7 +44,7 @@ class TransmissionErrorEffect final : public Effect {
             "at_<knot's angle in degrees> [rad]",
             {{"knot_deg", "distance of knots in degrees, default 3"}},
             "several significant lines of gear_harmonic at one joint",
-            "0.1-0.3 mrad RMS [physics.md G1-G3]",
+            "0.1-0.3 mrad RMS [PHYSICS.md G1-G3]",
             /*has_joint=*/true,
             /*is_curve=*/true};
   }

@@ -1,4 +1,4 @@
-// Reads `parameters.effects`, `simulate.effects` and `diagnosis` (shared formats, section 2).
+// Reads `parameters.effects`, `simulate.effects` and `diagnosis` (FORMATS.md, section 2).
 #ifndef DHCAL_PROBLEMS_FORMATS_PROBLEM_EFFECTS_READER_H_
 #define DHCAL_PROBLEMS_FORMATS_PROBLEM_EFFECTS_READER_H_
 

@@ -1,4 +1,4 @@
-// The columns that a recording may have (shared formats, section 1): names, units and meaning.
+// The columns that a recording may have (FORMATS.md, section 1): names, units and meaning.
 #ifndef DHCAL_PROBLEMS_FORMATS_RECORDING_RECORDING_COLUMNS_H_
 #define DHCAL_PROBLEMS_FORMATS_RECORDING_RECORDING_COLUMNS_H_
 

@@ -119,7 +119,8 @@ Json UnexplainedToJson(const Unexplained& rest) {
   Set("fraction", rest.fraction, &object);
   object["slot"] = rest.slot;
   object["driver"] = rest.driver;
-  SetText("unit", rest.unit, &object);
+  SetText("driver_unit", rest.driver_unit, &object);
+  object["unit"] = ToString(rest.unit);
   Set("rms_m", rest.rms, &object);
   Json curve = Json::array();
   for (const CurvePoint& point : rest.curve) {
@@ -149,7 +150,7 @@ Json HiddenToJson(const std::vector<HiddenRisk>& hidden) {
 Json MovedToJson(const std::vector<MovedParameter>& moved) {
   Json array = Json::array();
   for (const MovedParameter& parameter : moved) {
-    Json object = {{"name", parameter.name}, {"unit", parameter.unit}};
+    Json object = {{"name", parameter.name}, {"unit", ToString(parameter.unit)}};
     Set("correction_before", parameter.before, &object);
     Set("correction_after", parameter.after, &object);
     Set("sigma", parameter.sigma, &object);

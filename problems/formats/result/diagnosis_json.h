@@ -1,4 +1,4 @@
-// The key `diagnosis` of result.json (shared formats, section 3).
+// The key `diagnosis` of result.json (FORMATS.md, section 3).
 #ifndef DHCAL_PROBLEMS_FORMATS_RESULT_DIAGNOSIS_JSON_H_
 #define DHCAL_PROBLEMS_FORMATS_RESULT_DIAGNOSIS_JSON_H_
 

@@ -14,6 +14,7 @@
 
 #include "core/io/folder_swap.h"
 #include "core/io/posix_file.h"
+#include "core/report/report.h"
 #include "problems/formats/result/result_writer.h"
 
 namespace dhcal {
@@ -25,8 +26,11 @@ constexpr char kResultJson[] = "result.json";  // every result has it
 constexpr char kRecordingCsv[] = "recording.csv";
 
 const std::vector<std::string>& OwnNames() {
-  static const std::vector<std::string> names = {
-      "report.txt", "report.html", kResultJson, "calibrated.yaml", "residuals.csv", kRecordingCsv};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = {kResultJson, "calibrated.yaml", "residuals.csv", kRecordingCsv};
+    for (const ReportFormat& format : ReportFormats()) all.emplace_back(format.file);
+    return all;
+  }();
   return names;
 }
 
@@ -114,10 +118,12 @@ std::string ReadBytes(const std::string& file) {
 std::vector<NamedContent> Compose(const ProblemSpec& spec,
                                   const Recording& recording,
                                   const Result& result,
-                                  const std::string& report_text,
                                   const fs::path& folder) {
-  std::vector<NamedContent> files = {{"report.txt", report_text},
-                                     {kResultJson, ResultToJson(result)}};
+  std::vector<NamedContent> files = {{kResultJson, ResultToJson(result)}};
+  const Document report = ReportOf(spec, result);
+  for (const ReportFormat& format : ReportFormats()) {
+    files.push_back({format.file, format.render(report)});
+  }
   const bool keep_recording = LiesIn(spec.recording, folder);
   if (result.simulated) {
     files.push_back({kRecordingCsv, RecordingToCsv(recording, spec.robot)});
@@ -158,7 +164,6 @@ void CheckResultDirectory(const std::string& directory, Diagnostics* diagnostics
 bool WriteResult(const ProblemSpec& spec,
                  const Recording& recording,
                  const Result& result,
-                 const std::string& report_text,
                  const std::string& directory,
                  Diagnostics* diagnostics) {
   const int errors_before = diagnostics->num_errors();
@@ -166,7 +171,7 @@ bool WriteResult(const ProblemSpec& spec,
   if (diagnostics->num_errors() > errors_before) return false;
   try {
     const fs::path folder = Resolve(directory);
-    const std::vector<NamedContent> files = Compose(spec, recording, result, report_text, folder);
+    const std::vector<NamedContent> files = Compose(spec, recording, result, folder);
     return ReplaceFolder(folder, files, OwnNames(), SwapMethod::kExchange, diagnostics);
   } catch (const std::runtime_error& error) {
     diagnostics->Error({spec.file}, fmt::format("the result cannot be written: {}", error.what()));

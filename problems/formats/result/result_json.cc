@@ -1,4 +1,4 @@
-// result.json (shared formats, section 3).
+// result.json (FORMATS.md, section 3).
 #include <string>
 #include <vector>
 
@@ -93,6 +93,7 @@ Json FitToJson(const FitResult& fit) {
   Set("kappa_norm", fit.kappa_norm, &entry);
   Set("cost", fit.cost, &entry);
   Set("chi2_reduced", fit.chi2_reduced, &entry);
+  Set("chi2_p", fit.chi2_p, &entry);
   Set("seconds", fit.seconds, &entry);
   Set("rms_m", fit.rms, &entry);
   Set("rms_point_m", fit.rms_point, &entry);
@@ -155,6 +156,7 @@ Json HeadToJson(const Result& result) {
   Set("noise_sigma_rotation_rad", result.noise_sigma_rotation, &head);
   SetText("noise_source", result.noise_source, &head);
   SetCount("best_fit", result.best_fit, &head);
+  if (result.best() != nullptr) head["intervals"] = ToString(result.intervals);
   return head;
 }
 

@@ -1,4 +1,4 @@
-// Writes a result folder: all of it or nothing (shared formats, section 3).
+// Writes a result folder: all of it or nothing (FORMATS.md, section 3).
 #ifndef DHCAL_PROBLEMS_FORMATS_RESULT_RESULT_WRITER_H_
 #define DHCAL_PROBLEMS_FORMATS_RESULT_RESULT_WRITER_H_
 
@@ -40,12 +40,11 @@ std::string CalibratedYaml(const ProblemSpec& spec,
 void CheckResultDirectory(const std::string& directory, Diagnostics* diagnostics);
 
 /// Writes the folder aside and renames it; an earlier result stays whole until the new one is.
-/// `report_text` becomes report.txt; a simulated recording is stored as recording.csv.
+/// The report is written in all its forms; a simulated recording is stored as recording.csv.
 /// Returns false after adding an error.
 bool WriteResult(const ProblemSpec& spec,
                  const Recording& recording,
                  const Result& result,
-                 const std::string& report_text,
                  const std::string& directory,
                  Diagnostics* diagnostics);
 

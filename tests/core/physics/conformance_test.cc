@@ -1,6 +1,7 @@
 // What every effect of the library must hold, in a loop over the registry: a new effect is tested
 // without a new line here.
 #include <cmath>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 
 #include "core/physics/registry.h"
 #include "core/physics/worked_example.h"
+#include "tests/core/physics/physics_page.h"
 
 namespace dhcal {
 namespace {
@@ -49,7 +51,26 @@ TEST_P(EffectConformance, DescribesItselfWithUnitsAndASource) {
   EXPECT_THAT(d.summary, testing::SizeIs(testing::Gt(10)));
   EXPECT_FALSE(d.formula.empty());
   EXPECT_THAT(d.parameters, testing::HasSubstr("["));
-  EXPECT_THAT(d.typical, testing::HasSubstr("physics.md"));
+  const std::set<std::string> cited = CitedSections(d.typical);
+  EXPECT_FALSE(cited.empty()) << d.typical;
+  for (const std::string& label : cited) {
+    EXPECT_TRUE(PhysicsPage().HasSection(label)) << "PHYSICS.md has no section " << label;
+  }
+}
+
+TEST_P(EffectConformance, ThePhysicsPageListsItsSectionsAndClasses) {
+  const EffectDescription d = effect().Describe();
+  const PhysicsPage page;
+  const PhysicsRow row = page.Row(d.name);
+  EXPECT_EQ(row.sections, CitedSections(d.typical));
+  std::vector<EffectRequest> requests = effect().Candidates(context_);
+  requests.push_back(effect().Example().request);
+  for (const EffectRequest& request : requests) {
+    const std::string effect_class = effect().Place(context_, request).effect_class;
+    EXPECT_EQ(row.classes.count(effect_class), 1) << effect_class << " " << InstanceName(request);
+    const bool numbered = std::regex_match(effect_class, std::regex("C[0-9]+"));
+    EXPECT_TRUE(!numbered || page.HasSection(effect_class)) << effect_class;
+  }
 }
 
 TEST_P(EffectConformance, DependsOnThePoseAloneWhereItSaysSo) {

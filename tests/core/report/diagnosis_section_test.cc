@@ -1,11 +1,13 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <variant>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/report/sections.h"
+#include "core/report/text_renderer.h"
 #include "tests/support/example_result.h"
 
 namespace dhcal {
@@ -14,6 +16,10 @@ namespace {
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
+
+std::string SectionText(const ProblemSpec& spec, const Result& result) {
+  return ToText(DiagnosisSection(spec, result));
+}
 
 /// The example with a diagnosis that found one effect.
 Result WithFinding() {
@@ -49,13 +55,14 @@ Result WithSeparatingPose() {
   return result;
 }
 
-Result WithCurveOver(const std::string& driver, double value) {
+Result WithCurveOver(const std::string& driver, const std::string& unit, double value) {
   Result result = WithFinding();
   Unexplained rest;
   rest.fraction = 1;
   rest.slot = "theta1";
   rest.driver = driver;
-  rest.unit = "rad";
+  rest.driver_unit = unit;
+  rest.unit = Unit::kRadian;
   rest.curve = {{value, 1e-4, 1e-5}};
   result.diagnosis->unexplained = rest;
   return result;
@@ -74,45 +81,62 @@ TEST(DiagnosisSection, AProbabilityAtTheFloorOfTheDrawsIsABound) {
   Result result = WithFinding();
   result.diagnosis->misfit.p_floor = 6e-4;
   result.diagnosis->misfit.p_value = 6e-4;
-  EXPECT_THAT(DiagnosisSection(ExampleSpec(), result), ContainsRegex("this:[[:space:]]+< 6.0e-04"));
+  EXPECT_THAT(SectionText(ExampleSpec(), result), ContainsRegex("this:[[:space:]]+< 6.0e-04"));
   result.diagnosis->misfit.p_value = 1e-12;  // of the order scan, a bound by itself
-  EXPECT_THAT(DiagnosisSection(ExampleSpec(), result), HasSubstr("1.0e-12"));
+  EXPECT_THAT(SectionText(ExampleSpec(), result), HasSubstr("1.0e-12"));
 }
 
 TEST(DiagnosisSection, RowsSetAsideAreNamed) {
   Result result = WithFinding();
   result.diagnosis->misfit.outliers = 2;
   result.diagnosis->misfit.outlier_rows = {64, 92};
-  EXPECT_THAT(DiagnosisSection(ExampleSpec(), result), HasSubstr("65, 93"));
+  EXPECT_THAT(SectionText(ExampleSpec(), result), HasSubstr("65, 93"));
 }
 
 TEST(DiagnosisSection, PosesOfTurningJointsAreInDegrees) {
   Result result = WithSeparatingPose();
   result.diagnosis->findings[0].separating_poses[0].q[2] = -20 * kDegree;
-  EXPECT_THAT(DiagnosisSection(ExampleSpec(), result),
+  EXPECT_THAT(SectionText(ExampleSpec(), result),
               HasSubstr("pose: 10.0, 10.0, -20.0, 10.0, 10.0, 10.0 deg\n"));
 }
 
 TEST(DiagnosisSection, SlidingJointsOfAPoseAreInMillimetres) {
-  EXPECT_THAT(DiagnosisSection(WithSlidingJointThree(), WithSeparatingPose()),
+  EXPECT_THAT(SectionText(WithSlidingJointThree(), WithSeparatingPose()),
               HasSubstr("pose: 10.0 deg, 10.0 deg, 250.0 mm, 10.0 deg, 10.0 deg, 10.0 deg\n"));
 }
 
 TEST(DiagnosisSection, ACurveOverATurningJointIsInDegrees) {
   const std::string text =
-      DiagnosisSection(WithSlidingJointThree(), WithCurveOver("q2", 30 * kDegree));
+      SectionText(WithSlidingJointThree(), WithCurveOver("q2", "rad", 30 * kDegree));
   EXPECT_THAT(text, ContainsRegex("\\[deg\\] +\\[mrad\\] +\\[mrad\\]\n +30\\.0 +0\\.100"));
 }
 
 TEST(DiagnosisSection, ACurveOverASlidingJointIsInMillimetres) {
-  const std::string text = DiagnosisSection(WithSlidingJointThree(), WithCurveOver("q3", 0.25));
+  const std::string text = SectionText(WithSlidingJointThree(), WithCurveOver("q3", "m", 0.25));
   EXPECT_THAT(text, ContainsRegex("\\[mm\\] +\\[mrad\\] +\\[mrad\\]\n +250\\.0 +0\\.100"));
 }
 
 TEST(DiagnosisSection, ACurveOverAnythingElseStandsAsItIs) {
-  const std::string text = DiagnosisSection(ExampleSpec(), WithCurveOver("quality", 7));
+  const std::string text = SectionText(ExampleSpec(), WithCurveOver("quality", "", 7));
   EXPECT_THAT(text, ContainsRegex("\n +7\\.0 +0\\.100"));
   EXPECT_THAT(text, Not(HasSubstr("[deg]")));
+  EXPECT_THAT(SectionText(ExampleSpec(), WithCurveOver("time", "s", 7)),
+              ContainsRegex("\\[s\\] +\\[mrad\\] +\\[mrad\\]\n +7\\.0 +0\\.100"));
+}
+
+TEST(DiagnosisSection, DrawsTheCurveThatItPrints) {
+  const Section section = DiagnosisSection(ExampleSpec(), WithCurveOver("q2", "rad", 30 * kDegree));
+  const Figure* figure = nullptr;
+  for (const Block& block : section.blocks) {
+    if (std::holds_alternative<Figure>(block)) figure = &std::get<Figure>(block);
+  }
+  ASSERT_NE(figure, nullptr);
+  EXPECT_EQ(figure->x.unit, "deg");
+  EXPECT_EQ(figure->y.unit, "mrad");
+  ASSERT_EQ(figure->series.size(), 1u);
+  EXPECT_THAT(figure->series[0].x, testing::ElementsAre(testing::DoubleNear(30, 1e-12)));
+  EXPECT_THAT(figure->series[0].y, testing::ElementsAre(testing::DoubleNear(0.1, 1e-12)));
+  EXPECT_THAT(figure->series[0].sigma, testing::ElementsAre(testing::DoubleNear(0.01, 1e-12)));
 }
 
 TEST(DiagnosisSection, NumbersThatAreNotKnownAreNotPrinted) {
@@ -122,7 +146,7 @@ TEST(DiagnosisSection, NumbersThatAreNotKnownAreNotPrinted) {
   d.validation_method = "set column";
   d.rms_test_before = 4e-4;
   d.rms_test_after = 3e-5;
-  const std::string text = DiagnosisSection(ExampleSpec(), result);
+  const std::string text = SectionText(ExampleSpec(), result);
   EXPECT_THAT(text, Not(HasSubstr("- -> -")));
   EXPECT_THAT(text, Not(HasSubstr("All physics together")));
   EXPECT_THAT(text,
@@ -130,7 +154,7 @@ TEST(DiagnosisSection, NumbersThatAreNotKnownAreNotPrinted) {
                         "0.03000 mm."));
   d.rms_train_before = 5e-4;
   d.rms_train_after = 2e-5;
-  EXPECT_THAT(DiagnosisSection(ExampleSpec(), result),
+  EXPECT_THAT(SectionText(ExampleSpec(), result),
               HasSubstr("All physics together: RMS on fitted rows 0.5000 -> 0.02000 mm;"));
 }
 
@@ -140,7 +164,7 @@ TEST(DiagnosisSection, SaysOnlyThatTheCompleteGeometryHasNoFit) {
   result.diagnosis->verdict = DiagnosisVerdict::kUnexplained;
   result.diagnosis->summary = "the complete geometry could not be fitted";
   result.diagnosis->false_alarm = 0.01;
-  EXPECT_EQ(DiagnosisSection(ExampleSpec(), result),
+  EXPECT_EQ(SectionText(ExampleSpec(), result),
             "\nLEFT-OUT PHYSICS: UNEXPLAINED\n\n"
             "  In short: the complete geometry could not be fitted.\n");
 }
@@ -151,13 +175,13 @@ TEST(DiagnosisSection, LimitsThatSayNothingAreLeftOut) {
                               Hidden("tool_step", std::numeric_limits<double>::infinity()),
                               Hidden("backlash", 2e-5),
                               Hidden("sensor_scale", kUnknown)};
-  const std::string text = DiagnosisSection(ExampleSpec(), result);
+  const std::string text = SectionText(ExampleSpec(), result);
   EXPECT_THAT(text, Not(HasSubstr("base_drift")));
   EXPECT_THAT(text, Not(HasSubstr("tool_step")));
   EXPECT_THAT(text, ContainsRegex("backlash +0\\.500 +2\\.0e-05"));
   EXPECT_THAT(text, ContainsRegex("sensor_scale +0\\.500 +never"));
   result.diagnosis->hidden.resize(2);
-  EXPECT_THAT(DiagnosisSection(ExampleSpec(), result), Not(HasSubstr("cannot exclude")));
+  EXPECT_THAT(SectionText(ExampleSpec(), result), Not(HasSubstr("cannot exclude")));
 }
 
 }  // namespace

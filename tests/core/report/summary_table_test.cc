@@ -1,3 +1,5 @@
+#include "core/report/summary_table.h"
+
 #include <sstream>
 #include <string>
 
@@ -5,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/text.h"
-#include "core/report/text_report.h"
+#include "core/report/text_table.h"
 #include "tests/support/example_result.h"
 
 namespace dhcal {
@@ -16,8 +18,9 @@ using testing::ContainsRegex;
 TEST(SummaryTable, HasOneLinePerProblem) {
   const Result good = ExampleResult();
   const Result diverged = DivergedResult();
-  const std::string table = SummaryTable(
-      {{"kr15", "ok", &good}, {"broken", "input error", nullptr}, {"wild", "diverged", &diverged}});
+  const std::string table = ToText(SummaryTable({{"kr15", "ok", &good},
+                                                 {"broken", "input error", nullptr},
+                                                 {"wild", "diverged", &diverged}}));
   EXPECT_THAT(table, ContainsRegex("problem +rows +rank +solver +steps +RMS before"));
   EXPECT_THAT(table, ContainsRegex("kr15 +10 +21/23 +SVD-GN +3 +1.500 +0.02040 +0.02000 +ok\n"));
   EXPECT_THAT(table, ContainsRegex("broken +- +- +- +- +- +- +- +input error\n"));
@@ -30,13 +33,14 @@ TEST(SummaryTable, StaysWithinAHundredColumns) {
   wide.fits[0].rank = wide.fits[0].columns = 12345;
   wide.fits[0].iterations = 100000;
   wide.nominal.rms = wide.noise_sigma = wide.fits[0].rms = 1.23456e-199;
-  const std::string table = SummaryTable({{std::string(200, 'p'), std::string(90, 's'), &wide}});
+  const std::string table =
+      ToText(SummaryTable({{std::string(200, 'p'), std::string(90, 's'), &wide}}));
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(CountCharacters(line), 100) << line;
 }
 
 TEST(SummaryTable, OfNothingIsItsHeading) {
-  EXPECT_THAT(SummaryTable({}), testing::StartsWith("  problem"));
+  EXPECT_THAT(ToText(SummaryTable({})), testing::StartsWith("  problem"));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include "residuals/registry.h"
 #include "tests/support/recorder.h"
 #include "tests/support/robots.h"
-#include "tools/support/study_scenarios.h"
+#include "tools/study/scenarios.h"
 
 namespace dhcal {
 namespace {

@@ -5,10 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/report/text_report.h"
+#include "core/report/report.h"
+#include "core/report/text_renderer.h"
 #include "problems/diagnosis/diagnose.h"
 #include "problems/identify.h"
-#include "tools/support/study_scenarios.h"
+#include "tools/study/scenarios.h"
 
 namespace dhcal {
 namespace {
@@ -29,7 +30,7 @@ TEST(Guarded, TheReportHoldsTheCalibrationAndSaysThatTheDiagnosisFailed) {
   Result result = IdentifyGeometry(draw.spec, draw.recording, {});
   result.diagnosis =
       Guarded([]() -> DiagnosisResult { throw std::runtime_error("F is infinite"); });
-  const std::string report = TextReport(draw.spec, result);
+  const std::string report = ToText(ReportOf(draw.spec, result));
   EXPECT_THAT(report, HasSubstr("LEFT-OUT PHYSICS: FAILED"));
   EXPECT_THAT(report, HasSubstr("F is infinite"));
   EXPECT_THAT(report, HasSubstr("theta1"));

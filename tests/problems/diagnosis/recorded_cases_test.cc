@@ -11,7 +11,7 @@
 #include "problems/diagnosis/diagnose.h"
 #include "tests/support/files.h"
 #include "tests/support/problem_cases.h"
-#include "tools/support/study_scenarios.h"
+#include "tools/study/scenarios.h"
 
 namespace dhcal {
 namespace {

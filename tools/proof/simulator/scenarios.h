@@ -1,5 +1,5 @@
-// The scenarios D1 to D23 (physics.md D.3; those of the ruler's own faults excepted) and more
-// decoys, as trials.
+// The scenarios D1 to D23 (without those of a ruler's own faults) and more decoys, as trials. Each
+// tells its story in one line.
 #ifndef DHCAL_TOOLS_PROOF_SIMULATOR_SCENARIOS_H_
 #define DHCAL_TOOLS_PROOF_SIMULATOR_SCENARIOS_H_
 

@@ -18,7 +18,7 @@
 
 namespace dhcal::concealed {
 
-/// A cause that is put in, in the words of the shared formats.
+/// A cause that is put in, in the words of FORMATS.md.
 struct Cause {
   std::string effect;                              // "" = nothing in the library is like it
   int joint = 0;                                   // from 1; 0 = none

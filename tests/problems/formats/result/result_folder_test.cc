@@ -12,6 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/rng.h"
+#include "core/report/report.h"
+#include "core/report/text_renderer.h"
 #include "problems/formats/result/result_writer.h"
 #include "tests/support/example_result.h"
 #include "tests/support/temp_folder.h"
@@ -43,7 +45,7 @@ class ResultFolderTest : public testing::Test {
   }
 
   bool Write(const std::string& directory) {
-    return WriteResult(spec_, recording_, result_, "The report.\n", directory, &diagnostics_);
+    return WriteResult(spec_, recording_, result_, directory, &diagnostics_);
   }
 
   std::string Check(const std::string& directory) {
@@ -71,7 +73,7 @@ TEST_F(ResultFolderTest, HoldsTheFilesOfTheFormat) {
   EXPECT_THAT(
       NamesIn(out_),
       UnorderedElementsAre("report.txt", "result.json", "calibrated.yaml", "residuals.csv"));
-  EXPECT_EQ(ReadFile(out_ + "/report.txt"), "The report.\n");
+  EXPECT_EQ(ReadFile(out_ + "/report.txt"), ToText(ReportOf(spec_, result_)));
   EXPECT_EQ(ReadFile(out_ + "/result.json"), ResultToJson(result_));
   EXPECT_EQ(ReadFile(out_ + "/residuals.csv"), ResidualsToCsv(result_, recording_));
   EXPECT_THAT(ReadFile(out_ + "/calibrated.yaml"), HasSubstr("recording: ../data.csv\n"));
@@ -120,20 +122,20 @@ TEST_F(ResultFolderTest, AcceptsAFolderThatIsAbsentEmptyOrAnEarlierResult) {
   EXPECT_EQ(Check(out_), "");
   ASSERT_TRUE(Write(out_));
   EXPECT_EQ(Check(out_), "");
-  Put("report.html");
+  Put("recording.csv");
   EXPECT_EQ(Check(out_), "");
 }
 
 TEST_F(ResultFolderTest, LeavesForeignFilesAlone) {
   ASSERT_TRUE(Write(out_));
-  for (const char* const name : {"notes.txt", ".hidden", "report.html/"}) {
+  for (const char* const name : {"notes.txt", ".hidden", "recording.csv/"}) {
     Put(name);
     EXPECT_THAT(Check(out_), HasSubstr("not from an earlier result"));
     EXPECT_FALSE(Write(out_));
     EXPECT_TRUE(fs::exists(out_ + "/" + name));
     fs::remove_all(out_ + "/" + name);
   }
-  EXPECT_EQ(ReadFile(out_ + "/report.txt"), "The report.\n");
+  EXPECT_EQ(ReadFile(out_ + "/report.txt"), ToText(ReportOf(spec_, result_)));
 }
 
 TEST_F(ResultFolderTest, NamesAtMostThreeForeignFiles) {
@@ -199,13 +201,15 @@ TEST_F(ResultFolderTest, SaysWhyAParentCannotBeWritten) {
   for (int i = 0;; ++i) {
     const Result& result = i % 2 == 0 ? even : odd;
     Diagnostics diagnostics;
-    if (!WriteResult(spec, recording, result, result.problem, out, &diagnostics)) ::_exit(1);
+    if (!WriteResult(spec, recording, result, out, &diagnostics)) ::_exit(1);
   }
 }
 
 /// Every file of the folder belongs to the same result, and none is missing.
 void ExpectWhole(const std::string& out) {
-  const std::string which = ReadFile(out + "/report.txt");
+  const std::string report = ReadFile(out + "/report.txt");
+  const std::string which = report.find("calibration: even") != std::string::npos ? "even" : "odd";
+  ASSERT_THAT(report, HasSubstr("calibration: " + which));
   const auto json = nlohmann::json::parse(ReadFile(out + "/result.json"), nullptr, false);
   ASSERT_FALSE(json.is_discarded());
   EXPECT_EQ(json["problem"], which);

@@ -1,4 +1,4 @@
-#include "core/report/text_report.h"
+#include "core/report/report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/text.h"
+#include "core/report/text_renderer.h"
 #include "tests/support/comma_locale.h"
 #include "tests/support/example_result.h"
 #include "tests/support/temp_folder.h"
@@ -20,6 +21,10 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
+
+std::string TextReport(const ProblemSpec& spec, const Result& result) {
+  return ToText(ReportOf(spec, result));
+}
 
 void ExpectFits(const std::string& report) {
   std::istringstream lines(report);
@@ -130,8 +135,8 @@ TEST(TextReport, SaysThatASolverWasNotRun) {
 
 TEST(TextReport, ListsTheFiveWorstRows) {
   Result result = ExampleResult();
-  result.residuals[4].standardised[1] = -9.75;
-  result.residuals[4].residual = Eigen::Vector3d(3e-4, 0, 4e-4);
+  result.residuals[4].sigmas = 9.75;
+  result.residuals[4].length = 5e-4;
   const std::string report = TextReport(ExampleSpec(), result);
   const std::string section = report.substr(report.find("LARGEST RESIDUALS"));
   EXPECT_THAT(section, testing::ContainsRegex("  5  morning  fitted +0.5000 +9.8\n"));
