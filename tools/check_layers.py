@@ -18,7 +18,7 @@ import sys
 
 # Each layer, and each sub-folder of core, may include itself and those before it.
 LAYERS = ["core", "residuals", "problems", "tools", "tests"]
-CORE = ["base", "math", "model", "kinematics", "physics", "solver", "analysis", "io", "report"]
+CORE = ["base", "simd", "math", "model", "kinematics", "physics", "solver", "analysis", "io", "report"]
 MAX_LINES = 400
 
 # The simulator of concealed recordings shares nothing with the identification that it judges.
