@@ -74,7 +74,7 @@ RowNoise RowNoiseOf(const Calibration& c, const Noise& noise) {
 
 ReadingRows RowsOf(const Calibration& c, const std::vector<Reading>& readings) {
   ReadingModel model;
-  model.chain = &c.chain;
+  model.robot = &c.spec.robot;
   model.recording = &c.recording;
   model.measurement = c.measurement.get();
   model.num_unknowns = static_cast<int>(c.parameters.size());

@@ -17,7 +17,7 @@ std::vector<double> Leverages(const FitAnalysis& analysis, const CalibrationProb
       svd.scale.asDiagonal() * svd.kept() * svd.s.head(svd.rank).cwiseInverse().asDiagonal();
   std::vector<double> leverages(static_cast<std::size_t>(problem.rows().num_readings()), 0.0);
   problem.rows().Visit(problem.state(), problem.row_noise(), [&](const TileRows& tile) {
-    const Eigen::VectorXd of_row = (tile.J * to_unit).rowwise().squaredNorm();
+    const Eigen::VectorXd of_row = (tile.J() * to_unit).rowwise().squaredNorm();
     const std::size_t count = tile.readings.size();
     for (Eigen::Index k = 0; k < of_row.size(); ++k) {
       const auto i = static_cast<std::size_t>(k) % count;

@@ -30,7 +30,8 @@ std::optional<WhitenedResiduals> Split(const Calibration& c,
   const std::vector<MeasuredCoordinate>& coordinates = c.measurement->kind().coordinates;
   WhitenedResiduals split;
   const auto visit = [&](const TileRows& tile) {
-    const Eigen::VectorXd r = step.size() > 0 ? Eigen::VectorXd(tile.r + tile.J * step) : tile.r;
+    const Eigen::VectorXd r =
+        step.size() > 0 ? Eigen::VectorXd(tile.r() + tile.J() * step) : Eigen::VectorXd(tile.r());
     const std::size_t count = tile.readings.size();
     for (std::size_t k = 0; k < coordinates.size() * count; ++k) {
       const auto reading = static_cast<std::size_t>(tile.readings[k % count]);

@@ -26,7 +26,7 @@ std::optional<std::vector<Eigen::MatrixXd>> FoldTriangles(const CalibrationProbl
   const auto visit = [&](const TileRows& tile) {
     // Tiles are of neighbouring readings: those of one fold follow each other.
     const auto count = static_cast<Eigen::Index>(tile.readings.size());
-    const Eigen::Index coordinates = tile.r.size() / count;
+    const Eigen::Index coordinates = tile.rows().rows() / count;
     const auto fold_of = [&](Eigen::Index i) {
       const std::int64_t reading = tile.readings[static_cast<std::size_t>(i)];
       return static_cast<std::size_t>(reading * kFolds / num_readings);
@@ -35,8 +35,8 @@ std::optional<std::vector<Eigen::MatrixXd>> FoldTriangles(const CalibrationProbl
       while (last < count && fold_of(last) == fold_of(first)) ++last;
       for (Eigen::Index c = 0; c < coordinates; ++c) {
         rows.resize(last - first, problem.num_unknowns() + 1);
-        rows << tile.J.middleRows(c * count + first, last - first),
-            -tile.r.segment(c * count + first, last - first);
+        rows << tile.J().middleRows(c * count + first, last - first),
+            -tile.r().segment(c * count + first, last - first);
         folds[fold_of(first)].Add(rows);
       }
     }

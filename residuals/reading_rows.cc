@@ -1,8 +1,9 @@
 #include "residuals/reading_rows.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
+#include <memory>
+#include <set>
 #include <utility>
 
 #include <glog/logging.h>
@@ -10,49 +11,86 @@
 namespace dhcal {
 namespace {
 
-constexpr std::size_t kTilePoses = 64;
+constexpr std::size_t kTilePoses = PoseTile::kPoses;
 // Enough tiles that a thread's share is worth starting, few enough that two threads share evenly.
 constexpr int kStretchTiles = 64;
 
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// dh/d twist of all readings of a tile: one column of readings per coordinate and component.
-struct TwistDerivative {
-  TwistDerivative(Index coordinates, Index readings)
-      : values(Eigen::MatrixXd::Zero(readings, coordinates * 6)) {}
-  auto of(Index coordinate, Index component) { return values.col(coordinate * 6 + component); }
-  Eigen::MatrixXd values;
-};
-
 }  // namespace
 
-/// Twists are stored component by component: rows [c * poses, (c + 1) * poses) of a column are
-/// component c of all poses.
-struct ReadingRows::TilePoses {
+/// What evaluating tiles of a scope needs, made once per stretch.
+struct ReadingRows::Workspace {
+  int scope = -1;
+  PoseTileScope constants;
+  std::unique_ptr<PoseTile> tile;
+  std::vector<simd::AlignedDoubles> amounts;  // per slot that effects move, one per pose
   std::vector<SeenPose> seen;
-  Eigen::MatrixXd twist;  // 6 poses x parameters of the scope
+  Eigen::MatrixXd by_now, by_before;  // readings x (coordinates * 6), over sigma where that whitens
 };
+
+void TileRows::Resize(Index rows, Index cols) {
+  constexpr Index kPack = simd::kLanes;
+  num_rows_ = rows;
+  num_cols_ = cols;
+  stride_ = (rows + kPack - 1) / kPack * kPack;
+  values_.resize(static_cast<std::size_t>(stride_ * cols));
+}
 
 ReadingRows::ReadingRows(ReadingModel model) : model_(std::move(model)) {
   for (const Scope& scope : model_.scopes) {
     CHECK_EQ(scope.parameters.size(), scope.slots.size());
   }
+  std::set<int> moved;
+  for (const EffectTerm& term : model_.effects) moved.insert(term.slot);
+  for (const HeldTerm& term : model_.held) moved.insert(term.slot);
+  effect_slots_.assign(moved.begin(), moved.end());
+  MakeKernels();
   PlanTiles();
+}
+
+void ReadingRows::MakeKernels() {
+  const int num_slots = SlotLayout(model_.robot->num_joints()).size();
+  for (const Scope& scope : model_.scopes) {
+    ScopeKernel of_scope;
+    of_scope.column_of_slot.assign(static_cast<std::size_t>(num_slots), -1);
+    std::vector<int> slots = scope.slots;
+    for (const EffectTerm& term : model_.effects) {
+      if (std::find(slots.begin(), slots.end(), term.slot) == slots.end()) {
+        slots.push_back(term.slot);
+      }
+    }
+    for (std::size_t k = 0; k < slots.size(); ++k) {
+      if (slots[k] < 0) continue;
+      of_scope.column_of_slot[static_cast<std::size_t>(slots[k])] = static_cast<int>(k);
+    }
+    of_scope.kernel = std::make_unique<PoseTileKernel>(
+        *model_.robot, std::move(slots), model_.measurement->kind().sees_orientation());
+    kernels_.push_back(std::move(of_scope));
+  }
+}
+
+void ReadingRows::CloseTile(Tile* tile) {
+  if (tile->readings.empty()) return;
+  const bool alone = tile->before[0] < 0;
+  for (std::size_t i = 0; i < tile->readings.size(); ++i) {
+    tile->contiguous = tile->contiguous && tile->now[i] == tile->now[0] + static_cast<int>(i) &&
+                       tile->before[i] == (alone ? -1 : tile->now[i] - 1);
+  }
+  const PoseTileKernel& kernel = *kernels_[static_cast<std::size_t>(tile->scope)].kernel;
+  Eigen::MatrixXd q(model_.recording->q.cols(), static_cast<Index>(tile->rows.size()));
+  for (Index i = 0; i < q.cols(); ++i) {
+    q.col(i) = model_.recording->q.row(tile->rows[static_cast<std::size_t>(i)]);
+  }
+  tile->coordinates.resize(static_cast<std::size_t>(kernel.num_coordinates()));
+  kernel.FillCoordinates(q, tile->coordinates.data());
+  tiles_.push_back(std::move(*tile));
+  *tile = Tile();
 }
 
 void ReadingRows::PlanTiles() {
   std::vector<Tile> open(model_.scopes.size());
-  const auto close = [&](Tile* tile) {
-    if (tile->readings.empty()) return;
-    for (std::size_t i = 0; i < tile->readings.size(); ++i) {
-      const bool alone = tile->before[0] < 0;
-      tile->contiguous = tile->contiguous && tile->now[i] == tile->now[0] + static_cast<int>(i) &&
-                         tile->before[i] == (alone ? -1 : tile->now[i] - 1);
-    }
-    tiles_.push_back(std::move(*tile));
-    *tile = Tile();
-  };
   const auto pose_of = [](Tile* tile, int row_idx) {
     // Poses of neighbouring readings stand at the end.
     const auto found = std::find(tile->rows.rbegin(), tile->rows.rend(), row_idx);
@@ -64,13 +102,14 @@ void ReadingRows::PlanTiles() {
     const Reading& reading = model_.readings[static_cast<std::size_t>(k)];
     const int scope = model_.scope_of_row[static_cast<std::size_t>(reading.row_idx)];
     Tile* const tile = &open[static_cast<std::size_t>(scope)];
-    if (tile->rows.size() + 2 > kTilePoses) close(tile);
+    const std::size_t new_poses = reading.previous_idx < 0 ? 1 : 2;
+    if (tile->rows.size() + new_poses > kTilePoses) CloseTile(tile);
     tile->scope = scope;
     tile->readings.push_back(k);
     tile->before.push_back(reading.previous_idx < 0 ? -1 : pose_of(tile, reading.previous_idx));
     tile->now.push_back(pose_of(tile, reading.row_idx));
   }
-  for (Tile& tile : open) close(&tile);
+  for (Tile& tile : open) CloseTile(&tile);
 }
 
 std::vector<std::pair<int, int>> ReadingRows::Stretches(bool shared) const {
@@ -84,121 +123,136 @@ std::vector<std::pair<int, int>> ReadingRows::Stretches(bool shared) const {
 
 VectorXd ReadingRows::ScopeDeltas(int scope_idx, const VectorXd& x) const {
   const Scope& scope = model_.scopes[static_cast<std::size_t>(scope_idx)];
-  VectorXd delta = VectorXd::Zero(model_.chain->slots().size());
+  VectorXd delta = VectorXd::Zero(SlotLayout(model_.robot->num_joints()).size());
   for (std::size_t k = 0; k < scope.slots.size(); ++k) {
     if (scope.slots[k] >= 0) delta[scope.slots[k]] += x[scope.parameters[k]];
   }
   return delta;
 }
 
-void ReadingRows::EvaluatePoses(const Tile& tile, const VectorXd& x, TilePoses* poses) const {
+void ReadingRows::EvaluatePoses(const Tile& tile, const VectorXd& x, Workspace* work) const {
+  const ScopeKernel& of_scope = kernels_[static_cast<std::size_t>(tile.scope)];
   const Scope& scope = model_.scopes[static_cast<std::size_t>(tile.scope)];
-  const auto num_poses = static_cast<Index>(tile.rows.size());
-  const VectorXd of_scope = ScopeDeltas(tile.scope, x);
-  poses->seen.resize(tile.rows.size());
-  poses->twist.setZero(6 * num_poses, static_cast<Index>(scope.parameters.size()));
-  std::map<int, Index> column_of;  // effect parameter -> column
-  for (std::size_t k = 0; k < scope.slots.size(); ++k) {
-    if (scope.slots[k] < 0) column_of[scope.parameters[k]] = static_cast<Index>(k);
+  if (work->scope != tile.scope) {
+    work->scope = tile.scope;
+    work->constants = of_scope.kernel->Prepare(scope.ends, ScopeDeltas(tile.scope, x));
+    work->tile = std::make_unique<PoseTile>(of_scope.kernel->MakeTile());
   }
-  PoseWithDerivatives pose;
-  for (Index i = 0; i < num_poses; ++i) {
-    const int row_idx = tile.rows[static_cast<std::size_t>(i)];
-    VectorXd delta = of_scope;
-    for (const HeldTerm& term : model_.held) delta[term.slot] += (*term.amount)[row_idx];
-    for (const EffectTerm& term : model_.effects) {
-      delta[term.slot] += (*term.weight)[row_idx] * x[term.parameter];
-    }
-    model_.chain->PoseAndDerivatives(
-        model_.recording->q.row(row_idx).transpose(), delta, scope.ends, &pose);
-    poses->seen[static_cast<std::size_t>(i)] = {pose.p_WQ, pose.R_WQ};
-    const auto add = [&](Index column, int slot, double weight) {
-      for (Index c = 0; c < 3; ++c) {
-        poses->twist(c * num_poses + i, column) += weight * pose.J_p(c, slot);
-        poses->twist((3 + c) * num_poses + i, column) += weight * pose.J_w(c, slot);
+  // Unused poses of the tile repeat the last one; so do its amounts.
+  const auto at_pose = [&](const VectorXd& of_row, std::size_t pose) {
+    return of_row[tile.rows[std::min(pose, tile.rows.size() - 1)]];
+  };
+  PoseTileInput input{&work->constants, tile.coordinates.data(), {}};
+  work->amounts.resize(effect_slots_.size());
+  for (std::size_t s = 0; s < effect_slots_.size(); ++s) {
+    work->amounts[s].assign(kTilePoses, 0.0);
+    for (std::size_t pose = 0; pose < kTilePoses; ++pose) {
+      double& amount = work->amounts[s][pose];
+      for (const HeldTerm& term : model_.held) {
+        if (term.slot == effect_slots_[s]) amount += at_pose(*term.amount, pose);
       }
-    };
-    for (std::size_t k = 0; k < scope.slots.size(); ++k) {
-      if (scope.slots[k] >= 0) add(static_cast<Index>(k), scope.slots[k], 1);
+      for (const EffectTerm& term : model_.effects) {
+        if (term.slot == effect_slots_[s])
+          amount += at_pose(*term.weight, pose) * x[term.parameter];
+      }
     }
-    for (const EffectTerm& term : model_.effects) {
-      add(column_of.at(term.parameter), term.slot, (*term.weight)[row_idx]);
+    input.amounts.push_back({effect_slots_[s], work->amounts[s].data()});
+  }
+  of_scope.kernel->Evaluate(input, work->tile.get());
+
+  // The twist of an effect's parameter is that of the slots that it moves, weighted.
+  auto twist = work->tile->J();
+  const Index blocks = work->tile->num_rows() / PoseTile::kPoses;
+  std::vector<int> column_of_parameter(static_cast<std::size_t>(model_.num_unknowns), -1);
+  for (std::size_t k = 0; k < scope.slots.size(); ++k) {
+    column_of_parameter[static_cast<std::size_t>(scope.parameters[k])] = static_cast<int>(k);
+    if (scope.slots[k] < 0) twist.col(static_cast<Index>(k)).setZero();
+  }
+  Eigen::Array<double, PoseTile::kPoses, 1> weight;
+  for (const EffectTerm& term : model_.effects) {
+    const int column = column_of_parameter[static_cast<std::size_t>(term.parameter)];
+    if (column < 0) continue;
+    for (std::size_t pose = 0; pose < kTilePoses; ++pose) {
+      weight[static_cast<Index>(pose)] = at_pose(*term.weight, pose);
     }
+    const int from = of_scope.column_of_slot[static_cast<std::size_t>(term.slot)];
+    for (Index b = 0; b < blocks; ++b) {
+      twist.col(column).segment<PoseTile::kPoses>(b * PoseTile::kPoses).array() +=
+          weight * twist.col(from).segment<PoseTile::kPoses>(b * PoseTile::kPoses).array();
+    }
+  }
+
+  const bool turns = model_.measurement->kind().sees_orientation();
+  work->seen.resize(tile.rows.size());
+  for (std::size_t i = 0; i < tile.rows.size(); ++i) {
+    const auto pose = static_cast<Index>(i);
+    work->seen[i].p_WQ = work->tile->p_WQ().row(pose);
+    if (turns) work->seen[i].R_WQ = work->tile->R_WQ(static_cast<int>(i));
   }
 }
 
-bool ReadingRows::Compare(const Tile& tile, const TilePoses& poses, TileRows* rows) const {
-  const Scope& scope = model_.scopes[static_cast<std::size_t>(tile.scope)];
+bool ReadingRows::Compare(const Tile& tile,
+                          const RowNoise& noise,
+                          Workspace* work,
+                          TileRows* rows) const {
   const auto count = static_cast<Index>(tile.readings.size());
-  const auto num_poses = static_cast<Index>(tile.rows.size());
-  const Index coordinates = num_coordinates();
-  TwistDerivative by_now(coordinates, count), by_before(coordinates, count);
+  const std::vector<MeasuredCoordinate>& coordinates = model_.measurement->kind().coordinates;
+  const auto num_coordinates = static_cast<Index>(coordinates.size());
   rows->readings = tile.readings;
-  rows->r.resize(coordinates * count);
+  rows->Resize(num_coordinates * count, num_unknowns() + 1);
+  work->by_now.setZero(count, num_coordinates * 6);
+  work->by_before.setZero(count, num_coordinates * 6);
+  auto r = rows->r();
   for (Index i = 0; i < count; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const bool pair = tile.before[k] >= 0;
-    ReadingComparison comparison(static_cast<int>(coordinates));
     const Reading& reading = model_.readings[static_cast<std::size_t>(tile.readings[k])];
-    const SeenPose& now = poses.seen[static_cast<std::size_t>(tile.now[k])];
+    const SeenPose& now = work->seen[static_cast<std::size_t>(tile.now[k])];
     const SeenPose* const before =
-        pair ? &poses.seen[static_cast<std::size_t>(tile.before[k])] : nullptr;
+        tile.before[k] >= 0 ? &work->seen[static_cast<std::size_t>(tile.before[k])] : nullptr;
+    ReadingComparison comparison(static_cast<int>(num_coordinates));
     if (!model_.measurement->Compare(reading, now, before, &comparison)) return false;
-    for (Index c = 0; c < coordinates; ++c) {
-      rows->r[c * count + i] = comparison.difference[c];
-      by_now.values.row(i).segment<6>(c * 6) = comparison.by_now.row(c);
-      by_before.values.row(i).segment<6>(c * 6) = comparison.by_before.row(c);
+    const double by_length = noise.shared ? 1 : 1 / noise.sigma[reading.row_idx];
+    for (Index c = 0; c < num_coordinates; ++c) {
+      const bool length = coordinates[static_cast<std::size_t>(c)].unit == Unit::kMetre;
+      const double over_sigma = length ? by_length : 1 / noise.sigma_rotation;
+      r[c * count + i] = over_sigma * comparison.difference[c];
+      work->by_now.row(i).segment<6>(c * 6) = over_sigma * comparison.by_now.row(c);
+      work->by_before.row(i).segment<6>(c * 6) = over_sigma * comparison.by_before.row(c);
     }
   }
-  rows->J.setZero(coordinates * count, model_.num_unknowns);
-  const bool pairs = tile.before[0] >= 0 || !tile.contiguous;
-  const auto add = [&](TwistDerivative* derivative,
+  const Scope& scope = model_.scopes[static_cast<std::size_t>(tile.scope)];
+  auto J = rows->J();
+  J.setZero();
+  const auto twist = std::as_const(*work->tile).J();
+  const auto add = [&](const Eigen::MatrixXd& weights,
                        const std::vector<int>& of,
                        Index coordinate,
                        Index component) {
-    const auto weight = derivative->of(coordinate, component);
+    const auto weight = weights.col(coordinate * 6 + component);
     if ((weight.array() == 0).all()) return;
     for (std::size_t k = 0; k < scope.parameters.size(); ++k) {
-      auto out = rows->J.col(scope.parameters[k]).segment(coordinate * count, count);
-      const auto twist =
-          poses.twist.col(static_cast<Index>(k)).segment(component * num_poses, num_poses);
+      auto out = J.col(scope.parameters[k]).segment(coordinate * count, count);
+      const auto column =
+          twist.col(static_cast<Index>(k)).segment<PoseTile::kPoses>(component * PoseTile::kPoses);
       if (tile.contiguous) {
-        out.array() += weight.array() * twist.segment(of[0], count).array();
+        out.array() += weight.array() * column.segment(of[0], count).array();
         continue;
       }
       for (Index i = 0; i < count; ++i) {
         const int at = of[static_cast<std::size_t>(i)];
-        if (at >= 0) out[i] += weight[i] * twist[at];
+        if (at >= 0) out[i] += weight[i] * column[at];
       }
     }
   };
-  for (Index coordinate = 0; coordinate < coordinates; ++coordinate) {
-    for (Index component = 0; component < 6; ++component) {
-      add(&by_now, tile.now, coordinate, component);
-      if (pairs) add(&by_before, tile.before, coordinate, component);
+  const bool pairs = tile.before[0] >= 0 || !tile.contiguous;
+  const Index components = model_.measurement->kind().sees_orientation() ? 6 : 3;
+  for (Index coordinate = 0; coordinate < num_coordinates; ++coordinate) {
+    for (Index component = 0; component < components; ++component) {
+      add(work->by_now, tile.now, coordinate, component);
+      if (pairs) add(work->by_before, tile.before, coordinate, component);
     }
   }
-  return rows->r.allFinite() && rows->J.allFinite();
-}
-
-void ReadingRows::Whiten(const RowNoise& noise, const Tile& tile, TileRows* rows) const {
-  const auto count = static_cast<Index>(tile.readings.size());
-  const std::vector<MeasuredCoordinate>& coordinates = model_.measurement->kind().coordinates;
-  VectorXd inverse_sigma(count);
-  for (Index i = 0; i < count; ++i) {
-    const int row_idx = tile.rows[static_cast<std::size_t>(tile.now[static_cast<std::size_t>(i)])];
-    inverse_sigma[i] = 1 / noise.sigma[row_idx];
-  }
-  for (std::size_t c = 0; c < coordinates.size(); ++c) {
-    const Index first = static_cast<Index>(c) * count;
-    if (coordinates[c].unit == Unit::kMetre) {
-      rows->J.middleRows(first, count).array().colwise() *= inverse_sigma.array();
-      rows->r.segment(first, count).array() *= inverse_sigma.array();
-    } else {
-      rows->J.middleRows(first, count) /= noise.sigma_rotation;
-      rows->r.segment(first, count) /= noise.sigma_rotation;
-    }
-  }
+  return rows->rows().allFinite();
 }
 
 void ReadingRows::WhitenSeries(const RowNoise& noise,
@@ -224,12 +278,11 @@ void ReadingRows::WhitenSeries(const RowNoise& noise,
       series->insert(std::move(found));
     }
     for (int c = 0; c < coordinates; ++c) {
-      pair.row(c) << rows->J.row(c * count + i), rows->r[c * count + i];
+      pair.row(c) = rows->rows().row(c * count + i);
     }
     series->at(reading.row_idx).Whiten(noise.sigma[reading.row_idx], pair);
     for (int c = 0; c < coordinates; ++c) {
-      rows->J.row(c * count + i) = pair.row(c).head(num_unknowns());
-      rows->r[c * count + i] = pair(c, num_unknowns());
+      rows->rows().row(c * count + i) = pair.row(c);
     }
   }
 }
@@ -239,18 +292,14 @@ bool ReadingRows::Visit(const VectorXd& x,
                         std::pair<int, int> stretch,
                         const std::function<void(const TileRows&)>& visit) const {
   CHECK_EQ(x.size(), model_.num_unknowns);
-  TilePoses poses;
+  Workspace work;
   TileRows rows;
   OpenSeries series;
   for (int k = stretch.first; k < stretch.second; ++k) {
     const Tile& tile = tiles_[static_cast<std::size_t>(k)];
-    EvaluatePoses(tile, x, &poses);
-    if (!Compare(tile, poses, &rows)) return false;
-    if (noise.shared) {
-      WhitenSeries(noise, tile, &series, &rows);
-    } else {
-      Whiten(noise, tile, &rows);
-    }
+    EvaluatePoses(tile, x, &work);
+    if (!Compare(tile, noise, &work, &rows)) return false;
+    if (noise.shared) WhitenSeries(noise, tile, &series, &rows);
     visit(rows);
   }
   return true;

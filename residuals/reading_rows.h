@@ -3,22 +3,28 @@
 //   r = (h(x) - y) / sigma                 one row per coordinate of a reading, unit variance
 //   J = dh/d twist * d twist / d x / sigma
 //
-// A tile holds the poses of one run and target, each pose once: two readings that share a pose
-// (adjacent pairs) share its evaluation. Nothing is kept between evaluations, so that memory does
-// not grow with rows times parameters.
+// A tile holds up to 64 poses of one run and target, each pose once: two readings that share a pose
+// (adjacent pairs) share its evaluation, and the kinematics runs on the processor's vectors
+// (core/kinematics/pose_tile.h). Between evaluations only the sines of the joint angles are kept,
+// so that memory does not grow with rows times parameters.
 #ifndef DHCAL_RESIDUALS_READING_ROWS_H_
 #define DHCAL_RESIDUALS_READING_ROWS_H_
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "core/kinematics/dh_chain.h"
+#include "core/kinematics/pose_tile.h"
+#include "core/math/row_reduction.h"
 #include "core/model/reading.h"
 #include "core/model/recording.h"
+#include "core/model/robot.h"
+#include "core/simd/aligned.h"
 #include "residuals/measurement.h"
 #include "residuals/series.h"
 
@@ -47,7 +53,7 @@ struct HeldTerm {
 
 /// All that rows depend on. What it points to must outlive the rows.
 struct ReadingModel {
-  const DhChain* chain = nullptr;
+  const RobotModel* robot = nullptr;
   const Recording* recording = nullptr;
   const Measurement* measurement = nullptr;
   int num_unknowns = 0;
@@ -67,10 +73,30 @@ struct RowNoise {
 
 /// Rows of the readings of one tile, those of a coordinate together: the row of coordinate c of
 /// the tile's reading i is c * readings.size() + i.
-struct TileRows {
+class TileRows {
+ public:
+  /// [J, r], rows x (num_unknowns + 1); columns start at the alignment of the SIMD kernels.
+  Eigen::Map<Eigen::MatrixXd, Eigen::Unaligned, Eigen::OuterStride<>> rows() {
+    return {values_.data(), num_rows_, num_cols_, Eigen::OuterStride<>(stride_)};
+  }
+  Eigen::Map<const Eigen::MatrixXd, Eigen::Unaligned, Eigen::OuterStride<>> rows() const {
+    return {values_.data(), num_rows_, num_cols_, Eigen::OuterStride<>(stride_)};
+  }
+  auto J() { return rows().leftCols(num_cols_ - 1); }
+  auto J() const { return rows().leftCols(num_cols_ - 1); }
+  auto r() { return rows().col(num_cols_ - 1); }
+  auto r() const { return rows().col(num_cols_ - 1); }
+  /// The same for the reduction.
+  RowTile tile() const { return {values_.data(), num_rows_, stride_, nullptr}; }
+
   std::vector<int> readings;  // indices into ReadingModel::readings
-  Eigen::MatrixXd J;          // rows x num_unknowns
-  Eigen::VectorXd r;
+
+ private:
+  friend class ReadingRows;
+  void Resize(Eigen::Index rows, Eigen::Index cols);
+
+  Eigen::Index num_rows_ = 0, num_cols_ = 1, stride_ = 0;
+  simd::AlignedDoubles values_;
 };
 
 class ReadingRows {
@@ -109,21 +135,31 @@ class ReadingRows {
     std::vector<int> rows;         // of the recording, each pose once
     std::vector<int> now, before;  // per reading, index into `rows`; before -1 = none
     bool contiguous = true;        // now[i] = now[0] + i and before[i] = now[i] - 1 (or all -1)
+    simd::AlignedDoubles coordinates;
   };
-  struct TilePoses;
+  /// The kinematics of a scope's rows: a column per parameter (none for those of effects), then
+  /// those of further slots that effects move.
+  struct ScopeKernel {
+    std::unique_ptr<PoseTileKernel> kernel;
+    std::vector<int> column_of_slot;  // -1 = no column
+  };
+  struct Workspace;
   using OpenSeries = std::map<int, SeriesWhitener>;  // by the recording row that ends it so far
 
+  void MakeKernels();
   void PlanTiles();
-  void EvaluatePoses(const Tile& tile, const Eigen::VectorXd& x, TilePoses* poses) const;
-  bool Compare(const Tile& tile, const TilePoses& poses, TileRows* rows) const;
-  void Whiten(const RowNoise& noise, const Tile& tile, TileRows* rows) const;
+  void CloseTile(Tile* tile);
+  Eigen::VectorXd ScopeDeltas(int scope, const Eigen::VectorXd& x) const;
+  void EvaluatePoses(const Tile& tile, const Eigen::VectorXd& x, Workspace* work) const;
+  bool Compare(const Tile& tile, const RowNoise& noise, Workspace* work, TileRows* rows) const;
   void WhitenSeries(const RowNoise& noise,
                     const Tile& tile,
                     OpenSeries* series,
                     TileRows* rows) const;
-  Eigen::VectorXd ScopeDeltas(int scope, const Eigen::VectorXd& x) const;
 
   ReadingModel model_;
+  std::vector<int> effect_slots_;  // that effects or held amounts move, ascending
+  std::vector<ScopeKernel> kernels_;
   std::vector<Tile> tiles_;
 };
 

@@ -6,7 +6,7 @@
 #include <glog/logging.h>
 
 #include "core/base/parallel.h"
-#include "core/math/tsqr.h"
+#include "core/math/row_reduction.h"
 
 namespace dhcal {
 
@@ -46,14 +46,10 @@ bool RowCache::EvaluateStretch(int stretch, const Eigen::VectorXd& x) {
   const Eigen::Index n = num_unknowns();
   const auto tiles = stretches_[static_cast<std::size_t>(stretch)];
   if (size_ == BlockSize::kStretch) {
-    Tsqr tsqr(static_cast<int>(n) + 1);
-    Eigen::MatrixXd rows;
-    const bool done = rows_->Visit(x, noise_, tiles, [&](const TileRows& tile) {
-      rows.resize(tile.r.size(), n + 1);
-      rows << tile.J, tile.r;
-      tsqr.Add(rows);
-    });
-    values_.middleRows(first_row_[static_cast<std::size_t>(stretch)], n + 1) = tsqr.R();
+    RowReduction reduction(static_cast<int>(n) + 1);
+    const bool done =
+        rows_->Visit(x, noise_, tiles, [&](const TileRows& tile) { reduction.Add(tile.tile()); });
+    values_.middleRows(first_row_[static_cast<std::size_t>(stretch)], n + 1) = reduction.R();
     return done;
   }
   return rows_->Visit(x, noise_, tiles, [&](const TileRows& tile) {
@@ -62,7 +58,7 @@ bool RowCache::EvaluateStretch(int stretch, const Eigen::VectorXd& x) {
       const int first =
           first_row_[static_cast<std::size_t>(tile.readings[static_cast<std::size_t>(i)])];
       for (Eigen::Index c = 0; c < rows_->num_coordinates(); ++c) {
-        values_.row(first + c) << tile.J.row(c * count + i), tile.r[c * count + i];
+        values_.row(first + c) = tile.rows().row(c * count + i);
       }
     }
   });

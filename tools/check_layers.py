@@ -19,7 +19,7 @@ import sys
 
 # Each layer, and each sub-folder of core, may include itself and those before it.
 LAYERS = ["core", "residuals", "problems", "tools", "tests"]
-CORE = ["base", "math", "io", "model", "kinematics", "physics", "solver", "analysis", "report"]
+CORE = ["base", "simd", "math", "io", "model", "kinematics", "physics", "solver", "analysis", "report"]
 MAX_LINES = 400
 
 # The proof shares nothing with the identification that it judges, and its simulator nothing with

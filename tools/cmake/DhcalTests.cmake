@@ -60,3 +60,10 @@ add_test(NAME tools/citations
          COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tools/check_citations.py")
 add_test(NAME tools/citations_self_test
          COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/check_citations_test.py")
+# Sanitizers and coverage put symbols of their own into every object.
+if(NOT DHCAL_SANITIZE AND NOT DHCAL_COVERAGE)
+  add_test(NAME tools/simd_objects
+           COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/simd_objects_test.py"
+                   $<TARGET_OBJECTS:dhcal_core>
+           COMMAND_EXPAND_LISTS)
+endif()
