@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "core/solver/linearization.h"
 #include "problems/assembly.h"
@@ -27,30 +29,46 @@ std::vector<double> Leverages(const FitAnalysis& analysis, const CalibrationProb
   return leverages;
 }
 
+/// What the calibrated robot leaves of a reading; the prediction before is filled in apart.
 RowResidual DescribeRow(const Calibration& c,
-                        const FitAnalysis& analysis,
-                        const Eigen::VectorXd& state,
-                        const Reading& reading) {
-  const Comparison after = Compare(c, state, reading);
+                        const Noise& noise,
+                        const Reading& reading,
+                        const Comparison& after) {
   RowResidual row;
   row.row_idx = reading.row_idx;
   const Recording& recording = c.recording;
   if (!recording.run_idx.empty()) row.run = recording.run_names[recording.run(reading.row_idx)];
   row.measured = after.measured;
-  row.predicted_before = Compare(c, Eigen::VectorXd::Zero(state.size()), reading).predicted;
   row.predicted_after = after.predicted;
   row.residual = after.residual;
-  double sigma = c.RowSigma(reading.row_idx, analysis.noise);
+  double sigma = c.RowSigma(reading.row_idx, noise);
   if (c.spec.measurement.noise == NoiseKind::kSharedPose && reading.previous_idx >= 0) {
-    sigma = std::hypot(sigma, c.RowSigma(reading.previous_idx, analysis.noise));
+    sigma = std::hypot(sigma, c.RowSigma(reading.previous_idx, noise));
   }
   row.standardised = after.residual / sigma;
   const Eigen::Index lengths = c.measurement->kind().num_lengths();
   const Eigen::Index rotations = row.residual.size() - lengths;
-  row.standardised.tail(rotations) = row.residual.tail(rotations) / analysis.noise.sigma_rotation;
+  row.standardised.tail(rotations) = row.residual.tail(rotations) / noise.sigma_rotation;
   row.length = row.residual.head(lengths).norm();
   row.sigmas = row.standardised.lpNorm<Eigen::Infinity>();
   return row;
+}
+
+/// One entry per reading of `readings`, in their order.
+std::vector<RowResidual> DescribeReadings(const Calibration& c,
+                                          const Noise& noise,
+                                          const ReadingRows& readings,
+                                          const Eigen::VectorXd& state) {
+  std::vector<RowResidual> rows(static_cast<std::size_t>(readings.num_readings()));
+  VisitComparisons(readings, state, [&](int k, const Comparison& after) {
+    const auto i = static_cast<std::size_t>(k);
+    rows[i] = DescribeRow(c, noise, readings.model().readings[i], after);
+  });
+  const Eigen::VectorXd start = Eigen::VectorXd::Zero(state.size());
+  VisitComparisons(readings, start, [&](int k, const Comparison& before) {
+    rows[static_cast<std::size_t>(k)].predicted_before = before.predicted;
+  });
+  return rows;
 }
 
 }  // namespace
@@ -58,16 +76,14 @@ RowResidual DescribeRow(const Calibration& c,
 std::vector<RowResidual> DescribeRows(const Calibration& c,
                                       const FitAnalysis& analysis,
                                       const CalibrationProblem& problem) {
-  const Eigen::VectorXd& state = problem.state();
+  std::vector<RowResidual> rows =
+      DescribeReadings(c, analysis.noise, problem.rows(), problem.state());
   const std::vector<double> leverages = Leverages(analysis, problem);
-  std::vector<RowResidual> rows;
-  for (std::size_t k = 0; k < c.readings.fitted.size(); ++k) {
-    rows.push_back(DescribeRow(c, analysis, state, c.readings.fitted[k]));
-    rows.back().leverage = leverages[k];
-  }
-  for (const Reading& reading : c.readings.test) {
-    rows.push_back(DescribeRow(c, analysis, state, reading));
-    rows.back().test = true;
+  for (std::size_t k = 0; k < rows.size(); ++k) rows[k].leverage = leverages[k];
+  const ReadingRows test_rows = RowsOf(c, c.readings.test);
+  for (RowResidual& row : DescribeReadings(c, analysis.noise, test_rows, problem.state())) {
+    row.test = true;
+    rows.push_back(std::move(row));
   }
   std::sort(rows.begin(), rows.end(), [](const RowResidual& a, const RowResidual& b) {
     return a.row_idx < b.row_idx;

@@ -84,7 +84,7 @@ FitResult DescribeFit(const Calibration& c, const Fit& fit, const FitAnalysis* a
     result.chi2_reduced = 2 * analysis->cost / freedom;
     result.chi2_p = ChiSquareTail(2 * analysis->cost, freedom);
   }
-  const ResidualStatistics statistics = Statistics(c, fit.summary.state, c.readings.fitted);
+  const ResidualStatistics statistics = Statistics(fit.problem->rows(), fit.summary.state);
   result.rms = statistics.rms;
   result.rms_point = statistics.rms_point;
   result.max_point = statistics.max_point;

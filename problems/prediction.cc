@@ -2,10 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+
+#include "problems/assembly.h"
 
 namespace dhcal {
 namespace {
+
+/// `before` may be null.
+Comparison ComparisonOf(const Measurement& measurement,
+                        const Reading& reading,
+                        const SeenPose& now,
+                        const SeenPose* before) {
+  const ReadingNumbers numbers = measurement.Numbers(reading, now, before);
+  ReadingComparison comparison(measurement.kind().num_coordinates());
+  // The difference is defined wherever the readings are, even where its derivative is not.
+  measurement.Compare(reading, now, before, &comparison);
+  return {numbers.measured, numbers.predicted, -comparison.difference};
+}
 
 SeenPose Seen(const Calibration& c, const Eigen::VectorXd& state, int row_idx) {
   const Eigen::Isometry3d X_WQ = c.Pose(state, row_idx);
@@ -16,39 +29,48 @@ SeenPose Seen(const Calibration& c, const Eigen::VectorXd& state, int row_idx) {
 
 Comparison Compare(const Calibration& c, const Eigen::VectorXd& state, const Reading& reading) {
   const SeenPose now = Seen(c, state, reading.row_idx);
-  std::optional<SeenPose> before;
-  if (reading.previous_idx >= 0) before = Seen(c, state, reading.previous_idx);
-  const SeenPose* const previous = before ? &*before : nullptr;
-  const ReadingNumbers numbers = c.measurement->Numbers(reading, now, previous);
-  ReadingComparison comparison(c.measurement->kind().num_coordinates());
-  // The difference is defined wherever the readings are, even where its derivative is not.
-  c.measurement->Compare(reading, now, previous, &comparison);
-  return {numbers.measured, numbers.predicted, -comparison.difference};
+  if (reading.previous_idx < 0) return ComparisonOf(*c.measurement, reading, now, nullptr);
+  const SeenPose before = Seen(c, state, reading.previous_idx);
+  return ComparisonOf(*c.measurement, reading, now, &before);
 }
 
-ResidualStatistics Statistics(const Calibration& calibration,
-                              const Eigen::VectorXd& state,
-                              const std::vector<Reading>& readings) {
+void VisitComparisons(const ReadingRows& rows,
+                      const Eigen::VectorXd& state,
+                      const std::function<void(int, const Comparison&)>& visit) {
+  const ReadingModel& model = rows.model();
+  rows.VisitPoses(state, [&](int k, const SeenPose& now, const SeenPose* before) {
+    const Reading& reading = model.readings[static_cast<std::size_t>(k)];
+    visit(k, ComparisonOf(*model.measurement, reading, now, before));
+  });
+}
+
+ResidualStatistics Statistics(const ReadingRows& rows, const Eigen::VectorXd& state) {
   ResidualStatistics result;
   double lengths = 0, rotations = 0, largest = 0;
-  for (const Reading& reading : readings) {
-    const Eigen::VectorXd residual = Compare(calibration, state, reading).residual;
-    const Eigen::Index num_lengths = calibration.measurement->kind().num_lengths();
-    const double square = residual.head(num_lengths).squaredNorm();
+  const MeasurementKind& kind = rows.model().measurement->kind();
+  const int num_lengths = kind.num_lengths();
+  VisitComparisons(rows, state, [&](int /*reading*/, const Comparison& comparison) {
+    const double square = comparison.residual.head(num_lengths).squaredNorm();
     lengths += square;
     largest = std::max(largest, square);
-    rotations += residual.tail(residual.size() - num_lengths).squaredNorm();
-    result.num_lengths += static_cast<int>(num_lengths);
-    result.num_rotations += static_cast<int>(residual.size() - num_lengths);
-  }
-  if (readings.empty()) return result;
+    rotations += comparison.residual.tail(kind.num_coordinates() - num_lengths).squaredNorm();
+  });
+  result.num_lengths = rows.num_readings() * num_lengths;
+  result.num_rotations = rows.num_readings() * (kind.num_coordinates() - num_lengths);
+  if (rows.num_readings() == 0) return result;
   result.rms = std::sqrt(lengths / result.num_lengths);
-  if (calibration.measurement->kind().is_point()) {
-    result.rms_point = std::sqrt(lengths / static_cast<double>(readings.size()));
+  if (kind.is_point()) {
+    result.rms_point = std::sqrt(lengths / rows.num_readings());
     result.max_point = std::sqrt(largest);
   }
   if (result.num_rotations > 0) result.rms_rotation = std::sqrt(rotations / result.num_rotations);
   return result;
+}
+
+ResidualStatistics Statistics(const Calibration& c,
+                              const Eigen::VectorXd& state,
+                              const std::vector<Reading>& readings) {
+  return Statistics(RowsOf(c, readings), state);
 }
 
 }  // namespace dhcal

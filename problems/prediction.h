@@ -2,12 +2,14 @@
 #ifndef DHCAL_PROBLEMS_PREDICTION_H_
 #define DHCAL_PROBLEMS_PREDICTION_H_
 
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "core/model/result.h"
 #include "problems/calibration.h"
+#include "residuals/reading_rows.h"
 
 namespace dhcal {
 
@@ -23,6 +25,11 @@ Comparison Compare(const Calibration& calibration,
                    const Eigen::VectorXd& state,
                    const Reading& reading);
 
+/// The same for all readings of `rows`, tile by tile: index of the reading among them.
+void VisitComparisons(const ReadingRows& rows,
+                      const Eigen::VectorXd& state,
+                      const std::function<void(int, const Comparison&)>& visit);
+
 struct ResidualStatistics {
   double rms = kNotSet;           // [m] per coordinate
   double rms_point = kNotSet;     // [m] 3-D distance, where positions are measured
@@ -33,6 +40,7 @@ struct ResidualStatistics {
 };
 
 /// Statistics over readings; nothing set when there are none.
+ResidualStatistics Statistics(const ReadingRows& rows, const Eigen::VectorXd& state);
 ResidualStatistics Statistics(const Calibration& calibration,
                               const Eigen::VectorXd& state,
                               const std::vector<Reading>& readings);

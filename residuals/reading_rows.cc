@@ -305,4 +305,19 @@ bool ReadingRows::Visit(const VectorXd& x,
   return true;
 }
 
+void ReadingRows::VisitPoses(
+    const VectorXd& x,
+    const std::function<void(int reading, const SeenPose& now, const SeenPose* before)>& visit)
+    const {
+  Workspace work;
+  for (const Tile& tile : tiles_) {
+    EvaluatePoses(tile, x, &work);
+    for (std::size_t i = 0; i < tile.readings.size(); ++i) {
+      const SeenPose* const before =
+          tile.before[i] >= 0 ? &work.seen[static_cast<std::size_t>(tile.before[i])] : nullptr;
+      visit(tile.readings[i], work.seen[static_cast<std::size_t>(tile.now[i])], before);
+    }
+  }
+}
+
 }  // namespace dhcal

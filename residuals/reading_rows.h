@@ -126,6 +126,11 @@ class ReadingRows {
              const std::function<void(const TileRows&)>& visit) const {
     return Visit(x, noise, {0, num_tiles()}, visit);
   }
+  /// Poses alone: of every reading its own and, where it has one, that of the row before.
+  void VisitPoses(
+      const Eigen::VectorXd& x,
+      const std::function<void(int reading, const SeenPose& now, const SeenPose* before)>& visit)
+      const;
 
  private:
   /// Readings whose poses fit into one tile.

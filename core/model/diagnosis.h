@@ -1,4 +1,4 @@
-// What a diagnosis found: plain data in SI units, written by core/io (FORMATS.md,
+// What a diagnosis found: plain data in SI units, written by problems/formats (FORMATS.md,
 // section 3, key `diagnosis`) and core/report.
 #ifndef DHCAL_CORE_MODEL_DIAGNOSIS_H_
 #define DHCAL_CORE_MODEL_DIAGNOSIS_H_

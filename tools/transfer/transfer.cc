@@ -31,7 +31,7 @@ Errors ErrorsOf(const Sum& before, const Sum& after) {
 std::vector<Sum> SumsByFold(const CompleteFit& fit, const Folds& folds) {
   const LeftOutRows rows(fit, folds);
   const Eigen::VectorXd residuals = rows.Residuals({});
-  const int coordinates = NumCoordinates(fit.calibration.spec.measurement.kind);
+  const int coordinates = fit.calibration.spec.measurement.kind.num_coordinates();
   std::vector<Sum> sums(static_cast<std::size_t>(folds.count) + 1);
   for (Eigen::Index first = 0; first < residuals.size(); first += coordinates) {
     const int row = rows.recording_row()[static_cast<std::size_t>(first)];

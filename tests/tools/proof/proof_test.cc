@@ -35,7 +35,7 @@ Json NullAnswer() {
   return answer;
 }
 
-Json Finding(const std::string& effect, int joint, const std::string& effect_class) {
+Json FindingOf(const std::string& effect, int joint, const std::string& effect_class) {
   return {{"effect", effect},
           {"joint", joint},
           {"class", effect_class},
@@ -56,7 +56,7 @@ Json Diagnosis(const std::string& verdict, const std::vector<Json>& findings) {
 }
 
 TEST(ProofScore, CountsTheRightName) {
-  const Json result = Diagnosis("explained", {Finding("joint_compliance", 2, "C1")});
+  const Json result = Diagnosis("explained", {FindingOf("joint_compliance", 2, "C1")});
   const ProofScore score = ScoreCase(Answer(), result, nullptr);
   EXPECT_TRUE(score.detected);
   EXPECT_TRUE(score.named);
@@ -66,7 +66,7 @@ TEST(ProofScore, CountsTheRightName) {
 }
 
 TEST(ProofScore, CountsAWrongNameGivenAlone) {
-  const Json result = Diagnosis("explained", {Finding("joint_gain", 3, "C3")});
+  const Json result = Diagnosis("explained", {FindingOf("joint_gain", 3, "C3")});
   const ProofScore score = ScoreCase(Answer(), result, nullptr);
   EXPECT_TRUE(score.wrong_single);
   EXPECT_FALSE(score.named);
@@ -75,8 +75,8 @@ TEST(ProofScore, CountsAWrongNameGivenAlone) {
 }
 
 TEST(ProofScore, ARightAndAWrongNameTogetherAreNotTheRightAnswer) {
-  const Json result =
-      Diagnosis("explained", {Finding("joint_compliance", 2, "C1"), Finding("backlash", 4, "C4")});
+  const Json result = Diagnosis(
+      "explained", {FindingOf("joint_compliance", 2, "C1"), FindingOf("backlash", 4, "C4")});
   const ProofScore score = ScoreCase(Answer(), result, nullptr);
   EXPECT_FALSE(score.named);
   EXPECT_TRUE(score.wrong_single);
@@ -84,7 +84,7 @@ TEST(ProofScore, ARightAndAWrongNameTogetherAreNotTheRightAnswer) {
 }
 
 TEST(ProofScore, AListedTruthCountsAndIsNoWrongName) {
-  Json finding = Finding("base_compliance", 0, "C1");
+  Json finding = FindingOf("base_compliance", 0, "C1");
   finding["location"] = "base";
   finding["confusable_with"].push_back(
       {{"effect", "joint_compliance"}, {"joint", 2}, {"location", "joint 2"}});
@@ -99,7 +99,7 @@ TEST(ProofScore, TheRightEffectAtAnotherOrderIsWrong) {
   answer["causes"][0]["effect"] = "gear_harmonic";
   answer["causes"][0]["class"] = "";
   answer["causes"][0]["settings"]["order"] = 125.0;
-  Json finding = Finding("gear_harmonic", 2, "C8");
+  Json finding = FindingOf("gear_harmonic", 2, "C8");
   finding["order"] = 125.1;
   EXPECT_TRUE(ScoreCase(answer, Diagnosis("explained", {finding}), nullptr).named);
   finding["order"] = 37.0;
@@ -109,9 +109,9 @@ TEST(ProofScore, TheRightEffectAtAnotherOrderIsWrong) {
 TEST(ProofScore, AnythingButGeometryIsAFalseAlarmWhereNothingIsLeftOut) {
   EXPECT_FALSE(ScoreCase(NullAnswer(), Diagnosis("consistent", {}), nullptr).false_alarm);
   EXPECT_TRUE(ScoreCase(NullAnswer(), Diagnosis("unexplained", {}), nullptr).false_alarm);
-  const Json geometry = Diagnosis("explained", {Finding("axis_tilt", 2, "geometry")});
+  const Json geometry = Diagnosis("explained", {FindingOf("axis_tilt", 2, "geometry")});
   EXPECT_FALSE(ScoreCase(NullAnswer(), geometry, nullptr).false_alarm);
-  const Json named = Diagnosis("explained", {Finding("backlash", 2, "C4")});
+  const Json named = Diagnosis("explained", {FindingOf("backlash", 2, "C4")});
   const ProofScore score = ScoreCase(NullAnswer(), named, nullptr);
   EXPECT_TRUE(score.false_alarm);
   EXPECT_TRUE(score.wrong_single);
@@ -127,7 +127,7 @@ TEST(ProofScore, AMissedDetectableCauseIsATruthExcluded) {
 }
 
 TEST(ProofScore, CountsIntervalsThatHoldTheTruth) {
-  Json finding = Finding("joint_compliance", 2, "C1");
+  Json finding = FindingOf("joint_compliance", 2, "C1");
   finding["parameters"].push_back(
       {{"name", "joint_compliance.2.compliance"}, {"ci95", {2.9e-6, 3.1e-6}}});
   const ProofScore inside = ScoreCase(Answer(), Diagnosis("explained", {finding}), nullptr);

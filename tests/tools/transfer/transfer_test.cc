@@ -64,7 +64,7 @@ TEST(PredictBlocks, ImprovesEveryBlockByWhatWasLeftOut) {
 // Each series of shared poses has a row more than it has differences.
 TEST(PredictBlocks, OfSharedPosesAreOfTheirOwnRows) {
   Scenario scenario;
-  scenario.kind = MeasurementKind::kAdjacentPosition;
+  scenario.kind = "adjacent_position";
   scenario.noise = NoiseKind::kSharedPose;
   scenario.runs = 10;
   Draw draw = MakeDraw(scenario, 4);
