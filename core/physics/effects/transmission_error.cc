@@ -38,15 +38,16 @@ std::array<double, 4> CubicSplines(double f) {
 class TransmissionErrorEffect final : public Effect {
  public:
   EffectDescription Describe() const override {
-    return {"transmission_error",
-            "a gear or encoder errs by a curve of the joint's own angle, at many orders at once",
-            "d theta_j = sum_k c_k B_k(q_j), cubic splines",
-            "at_<knot's angle in degrees> [rad]",
-            {{"knot_deg", "distance of knots in degrees, default 3"}},
-            "several significant lines of gear_harmonic at one joint",
-            "0.1-0.3 mrad RMS [PHYSICS.md G1-G3]",
-            /*has_joint=*/true,
-            /*is_curve=*/true};
+    EffectDescription d{
+        "transmission_error",
+        "a gear or encoder errs by a curve of the joint's own angle, at many orders at once",
+        "d theta_j = sum_k c_k B_k(q_j), cubic splines",
+        "at_<knot's angle in degrees> [rad]",
+        {{"knot_deg", "distance of knots in degrees, default 3"}},
+        "several significant lines of gear_harmonic at one joint",
+        "0.1-0.3 mrad RMS [PHYSICS.md G1-G3]"};
+    d.is_curve = true;
+    return d;
   }
 
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
