@@ -249,7 +249,7 @@ Table MovedTable(const std::vector<MovedParameter>& moved) {
 
 Table MapTable(const std::vector<MapEntry>& map) {
   Table table;
-  table.title = "Mismatch map (strongest of all places and drivers; the whole is in result.json)";
+  table.title = "Mismatch map (strongest of all places and drivers; more of it is in result.json)";
   table.columns = {{"where", "", 12, Table::Align::kLeft},
                    {"driven by", "", 34, Table::Align::kLeft},
                    {"statistic", ""},
@@ -303,35 +303,39 @@ std::string NotTestableWords(const std::vector<NotTestable>& entries) {
 }
 
 /// What was found, and how far it goes.
-void AddFindings(const RobotModel& robot, const DiagnosisResult& d, std::vector<Block>* blocks) {
+std::vector<Block> Found(const RobotModel& robot, const DiagnosisResult& d) {
+  std::vector<Block> blocks = {InShort(d)};
   List findings;
   findings.kind = List::Kind::kNumbers;
   for (const Finding& finding : d.findings) findings.items.push_back(FindingItem(robot, finding));
-  if (!findings.items.empty()) blocks->push_back(findings);
+  if (!findings.items.empty()) blocks.emplace_back(findings);
   const std::string together = TogetherWords(d);
-  if (!together.empty()) blocks->push_back(Paragraph{{together}, ""});
+  if (!together.empty()) blocks.emplace_back(Paragraph{{together}, ""});
   if (d.unexplained) {
-    blocks->push_back(Paragraph{{RestWords(*d.unexplained)}, "Not explained:"});
+    blocks.emplace_back(Paragraph{{RestWords(*d.unexplained)}, "Not explained:"});
     if (!d.unexplained->curve.empty()) {
-      blocks->push_back(CurveTable(*d.unexplained));
-      blocks->push_back(CurveFigure(*d.unexplained));
+      blocks.emplace_back(CurveTable(*d.unexplained));
+      blocks.emplace_back(CurveFigure(*d.unexplained));
     }
   }
-  if (!d.moved.empty()) blocks->push_back(MovedTable(d.moved));
+  if (!d.moved.empty()) blocks.emplace_back(MovedTable(d.moved));
+  return blocks;
 }
 
 /// What was looked at besides, and what could not be.
-void AddLimits(const DiagnosisResult& d, std::vector<Block>* blocks) {
-  if (d.misfit.p_value <= d.false_alarm && !d.map.empty()) blocks->push_back(MapTable(d.map));
+std::vector<Block> LookedAt(const DiagnosisResult& d) {
+  std::vector<Block> blocks;
+  if (d.misfit.p_value <= d.false_alarm && !d.map.empty()) blocks.emplace_back(MapTable(d.map));
   const Table hidden = HiddenTable(d.hidden);
-  if (!hidden.rows.empty()) blocks->push_back(hidden);
+  if (!hidden.rows.empty()) blocks.emplace_back(hidden);
   if (!d.not_testable.empty()) {
-    blocks->push_back(Paragraph{{NotTestableWords(d.not_testable)}, "Not testable here:"});
+    blocks.emplace_back(Paragraph{{NotTestableWords(d.not_testable)}, "Not testable here:"});
   }
   List notes;
   notes.kind = List::Kind::kBullets;
   for (const std::string& note : d.notes) notes.items.push_back({note, "", {}});
-  if (!notes.items.empty()) blocks->push_back(notes);
+  if (!notes.items.empty()) blocks.emplace_back(notes);
+  return blocks;
 }
 
 }  // namespace
@@ -339,9 +343,8 @@ void AddLimits(const DiagnosisResult& d, std::vector<Block>* blocks) {
 Section DiagnosisSection(const ProblemSpec& spec, const Result& result) {
   if (!result.diagnosis) return {};
   const DiagnosisResult& d = *result.diagnosis;
-  Section section{"LEFT-OUT PHYSICS: " + Upper(ToString(d.verdict)), {InShort(d)}};
-  AddFindings(spec.robot, d, &section.blocks);
-  AddLimits(d, &section.blocks);
+  Section section{"LEFT-OUT PHYSICS: " + Upper(ToString(d.verdict)), Found(spec.robot, d)};
+  for (const Block& block : LookedAt(d)) section.blocks.push_back(block);
   return section;
 }
 

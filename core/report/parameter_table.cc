@@ -38,7 +38,7 @@ PrintedUnits UnitsOf(Unit unit, bool noise_free) {
                     : PrintedUnits{"Lengths", "mm", kMillimetre, "mm", kMillimetre, 5};
 }
 
-void AddParameter(const ParameterResult& parameter, const PrintedUnits& units, Table* table) {
+std::vector<std::string> ParameterRow(const ParameterResult& parameter, const PrintedUnits& units) {
   const double sigma = parameter.sigma / units.correction;
   // Two digits of the uncertainty, and all numbers beside it as many decimals.
   const int wanted = DecimalsOf(sigma, std::min(4, units.most_decimals));
@@ -50,14 +50,14 @@ void AddParameter(const ParameterResult& parameter, const PrintedUnits& units, T
   const auto value = [&](double number) {
     return FixedWithin(number / units.value, value_decimals, kValueWidth);
   };
-  table->AddRow({parameter.name,
-                 value(parameter.nominal),
-                 correction(parameter.correction),
-                 wanted > decimals ? Scientific(sigma, 1) : correction(parameter.sigma),
-                 correction(parameter.ci95_low - parameter.nominal),
-                 correction(parameter.ci95_high - parameter.nominal),
-                 value(parameter.value),
-                 ToString(parameter.verdict)});
+  return {parameter.name,
+          value(parameter.nominal),
+          correction(parameter.correction),
+          wanted > decimals ? Scientific(sigma, 1) : correction(parameter.sigma),
+          correction(parameter.ci95_low - parameter.nominal),
+          correction(parameter.ci95_high - parameter.nominal),
+          value(parameter.value),
+          ToString(parameter.verdict)};
 }
 
 /// The parameters of one unit; without rows where there are none.
@@ -78,7 +78,7 @@ Table UnitTable(const FitResult& fit, Unit unit, bool noise_free) {
   std::size_t count = 0;
   for (const ParameterResult& parameter : fit.parameters) {
     if (parameter.unit != unit || parameter.verdict == Verdict::kFixed) continue;
-    if (++count <= kMostTableRows) AddParameter(parameter, units, &table);
+    if (++count <= kMostTableRows) table.AddRow(ParameterRow(parameter, units));
   }
   if (count > kMostTableRows) table.AddLeftOut(count - kMostTableRows);
   return table;

@@ -29,12 +29,12 @@ std::string Brief(const FitResult& fit) {
   return text;
 }
 
-void AddStep(const IterationRecord& record, Table* table) {
-  table->AddRow({record.iteration < 0 ? "-" : std::to_string(record.iteration),
-                 Scientific(record.cost, 4),
-                 Scientific(record.kappa_norm, 4),
-                 record.rank < 0 ? "-" : std::to_string(record.rank),
-                 Scientific(record.step_norm, 3)});
+std::vector<std::string> StepRow(const IterationRecord& record) {
+  return {record.iteration < 0 ? "-" : std::to_string(record.iteration),
+          Scientific(record.cost, 4),
+          Scientific(record.kappa_norm, 4),
+          record.rank < 0 ? "-" : std::to_string(record.rank),
+          Scientific(record.step_norm, 3)};
 }
 
 Table TraceTable(const FitResult& fit) {
@@ -52,7 +52,7 @@ Table TraceTable(const FitResult& fit) {
       table.AddLeftOut(left_out);
       i += left_out;
     }
-    AddStep(fit.trace[i], &table);
+    table.AddRow(StepRow(fit.trace[i]));
   }
   return table;
 }
@@ -81,19 +81,16 @@ Figure TraceFigure(const Result& result,
   return figure;
 }
 
-void AddFigures(const Result& result, Section* section) {
-  const Figure cost = TraceFigure(result,
-                                  &IterationRecord::cost,
-                                  {"cost", "", true},
-                                  "Half the sum of whitened squares after each iteration.");
-  const Figure kappa =
-      TraceFigure(result,
-                  &IterationRecord::kappa_norm,
-                  {"||J drho - dx||", "m", true},
-                  "What the linear model of each iteration leaves of the residuals.");
-  for (const Figure& figure : {cost, kappa}) {
-    if (!figure.series.empty()) section->blocks.push_back(figure);
-  }
+/// How the fits came to their ends.
+std::vector<Figure> TraceFigures(const Result& result) {
+  return {TraceFigure(result,
+                      &IterationRecord::cost,
+                      {"cost", "", true},
+                      "Half the sum of whitened squares after each iteration."),
+          TraceFigure(result,
+                      &IterationRecord::kappa_norm,
+                      {"||J drho - dx||", "m", true},
+                      "What the linear model of each iteration leaves of the residuals.")};
 }
 
 }  // namespace
@@ -113,7 +110,9 @@ Section SolverSection(const Result& result) {
   for (const FitResult& fit : result.fits) {
     if (!fit.trace.empty()) section.blocks.push_back(TraceTable(fit));
   }
-  AddFigures(result, &section);
+  for (const Figure& figure : TraceFigures(result)) {
+    if (!figure.series.empty()) section.blocks.push_back(figure);
+  }
   return section;
 }
 

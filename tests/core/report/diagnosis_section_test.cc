@@ -17,7 +17,7 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string SectionText(const ProblemSpec& spec, const Result& result) {
+std::string DiagnosisText(const ProblemSpec& spec, const Result& result) {
   return ToText(DiagnosisSection(spec, result));
 }
 
@@ -96,31 +96,31 @@ TEST(DiagnosisSection, RowsSetAsideAreNamed) {
 TEST(DiagnosisSection, PosesOfTurningJointsAreInDegrees) {
   Result result = WithSeparatingPose();
   result.diagnosis->findings[0].separating_poses[0].q[2] = -20 * kDegree;
-  EXPECT_THAT(SectionText(ExampleSpec(), result),
+  EXPECT_THAT(DiagnosisText(ExampleSpec(), result),
               HasSubstr("pose: 10.0, 10.0, -20.0, 10.0, 10.0, 10.0 deg\n"));
 }
 
 TEST(DiagnosisSection, SlidingJointsOfAPoseAreInMillimetres) {
-  EXPECT_THAT(SectionText(WithSlidingJointThree(), WithSeparatingPose()),
+  EXPECT_THAT(DiagnosisText(WithSlidingJointThree(), WithSeparatingPose()),
               HasSubstr("pose: 10.0 deg, 10.0 deg, 250.0 mm, 10.0 deg, 10.0 deg, 10.0 deg\n"));
 }
 
 TEST(DiagnosisSection, ACurveOverATurningJointIsInDegrees) {
   const std::string text =
-      SectionText(WithSlidingJointThree(), WithCurveOver("q2", "rad", 30 * kDegree));
+      DiagnosisText(WithSlidingJointThree(), WithCurveOver("q2", "rad", 30 * kDegree));
   EXPECT_THAT(text, ContainsRegex("\\[deg\\] +\\[mrad\\] +\\[mrad\\]\n +30\\.0 +0\\.100"));
 }
 
 TEST(DiagnosisSection, ACurveOverASlidingJointIsInMillimetres) {
-  const std::string text = SectionText(WithSlidingJointThree(), WithCurveOver("q3", "m", 0.25));
+  const std::string text = DiagnosisText(WithSlidingJointThree(), WithCurveOver("q3", "m", 0.25));
   EXPECT_THAT(text, ContainsRegex("\\[mm\\] +\\[mrad\\] +\\[mrad\\]\n +250\\.0 +0\\.100"));
 }
 
 TEST(DiagnosisSection, ACurveOverAnythingElseStandsAsItIs) {
-  const std::string text = SectionText(ExampleSpec(), WithCurveOver("quality", "", 7));
+  const std::string text = DiagnosisText(ExampleSpec(), WithCurveOver("quality", "", 7));
   EXPECT_THAT(text, ContainsRegex("\n +7\\.0 +0\\.100"));
   EXPECT_THAT(text, Not(HasSubstr("[deg]")));
-  EXPECT_THAT(SectionText(ExampleSpec(), WithCurveOver("time", "s", 7)),
+  EXPECT_THAT(DiagnosisText(ExampleSpec(), WithCurveOver("time", "s", 7)),
               ContainsRegex("\\[s\\] +\\[mrad\\] +\\[mrad\\]\n +7\\.0 +0\\.100"));
 }
 
@@ -146,7 +146,7 @@ TEST(DiagnosisSection, NumbersThatAreNotKnownAreNotPrinted) {
   d.validation_method = "set column";
   d.rms_test_before = 4e-4;
   d.rms_test_after = 3e-5;
-  const std::string text = SectionText(ExampleSpec(), result);
+  const std::string text = DiagnosisText(ExampleSpec(), result);
   EXPECT_THAT(text, Not(HasSubstr("- -> -")));
   EXPECT_THAT(text, Not(HasSubstr("All physics together")));
   EXPECT_THAT(text,
@@ -154,7 +154,7 @@ TEST(DiagnosisSection, NumbersThatAreNotKnownAreNotPrinted) {
                         "0.03000 mm."));
   d.rms_train_before = 5e-4;
   d.rms_train_after = 2e-5;
-  EXPECT_THAT(SectionText(ExampleSpec(), result),
+  EXPECT_THAT(DiagnosisText(ExampleSpec(), result),
               HasSubstr("All physics together: RMS on fitted rows 0.5000 -> 0.02000 mm;"));
 }
 
@@ -164,7 +164,7 @@ TEST(DiagnosisSection, SaysOnlyThatTheCompleteGeometryHasNoFit) {
   result.diagnosis->verdict = DiagnosisVerdict::kUnexplained;
   result.diagnosis->summary = "the complete geometry could not be fitted";
   result.diagnosis->false_alarm = 0.01;
-  EXPECT_EQ(SectionText(ExampleSpec(), result),
+  EXPECT_EQ(DiagnosisText(ExampleSpec(), result),
             "\nLEFT-OUT PHYSICS: UNEXPLAINED\n\n"
             "  In short: the complete geometry could not be fitted.\n");
 }
@@ -175,13 +175,13 @@ TEST(DiagnosisSection, LimitsThatSayNothingAreLeftOut) {
                               Hidden("tool_step", std::numeric_limits<double>::infinity()),
                               Hidden("backlash", 2e-5),
                               Hidden("sensor_scale", kUnknown)};
-  const std::string text = SectionText(ExampleSpec(), result);
+  const std::string text = DiagnosisText(ExampleSpec(), result);
   EXPECT_THAT(text, Not(HasSubstr("base_drift")));
   EXPECT_THAT(text, Not(HasSubstr("tool_step")));
   EXPECT_THAT(text, ContainsRegex("backlash +0\\.500 +2\\.0e-05"));
   EXPECT_THAT(text, ContainsRegex("sensor_scale +0\\.500 +never"));
   result.diagnosis->hidden.resize(2);
-  EXPECT_THAT(SectionText(ExampleSpec(), result), Not(HasSubstr("cannot exclude")));
+  EXPECT_THAT(DiagnosisText(ExampleSpec(), result), Not(HasSubstr("cannot exclude")));
 }
 
 }  // namespace

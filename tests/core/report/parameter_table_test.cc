@@ -14,7 +14,7 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string SectionText(const Result& result) { return ToText(ParameterSection(result)); }
+std::string ParameterText(const Result& result) { return ToText(ParameterSection(result)); }
 
 /// The example with these parameters.
 Result WithParameters(std::vector<ParameterResult> parameters) {
@@ -44,7 +44,7 @@ TEST(ParameterSection, PrintsTableThreeOfThePaperToItsDigits) {
                                   Identified("a5", Unit::kMetre, 62.98e-6, 3e-13),
                                   Identified("d2", Unit::kMetre, -68.81e-6, 3.1e-4)});
   result.noise_free = true;
-  const std::string text = SectionText(result);
+  const std::string text = ParameterText(result);
   EXPECT_THAT(text, HasSubstr("[urad]"));
   EXPECT_THAT(text, HasSubstr("[um]"));
   EXPECT_THAT(text, ContainsRegex("theta1 +[0-9.]+ +870\\.000 +2\\.0e-10"));
@@ -56,8 +56,8 @@ TEST(ParameterSection, PrintsTableThreeOfThePaperToItsDigits) {
 
 TEST(ParameterSection, ShowsTwoDigitsOfSigmaAndAsManyDecimalsOfTheCorrection) {
   const std::string text =
-      SectionText(WithParameters({Identified("theta1", Unit::kRadian, 0.87654e-3, 0.01234e-3),
-                                  Identified("a1", Unit::kMetre, 0.98765e-3, 0.1234e-3)}));
+      ParameterText(WithParameters({Identified("theta1", Unit::kRadian, 0.87654e-3, 0.01234e-3),
+                                    Identified("a1", Unit::kMetre, 0.98765e-3, 0.1234e-3)}));
   EXPECT_THAT(text,
               ContainsRegex("theta1 +90\\.00000 +0\\.877 +0\\.012 +0\\.852 +0\\.901 "
                             "+90\\.05022 +identified"));
@@ -72,7 +72,7 @@ TEST(ParameterSection, NamesFixedParametersInOneSentence) {
     fixed.name = "fixed" + std::to_string(i);
     parameters.push_back(fixed);
   }
-  const std::string text = SectionText(WithParameters(parameters));
+  const std::string text = ParameterText(WithParameters(parameters));
   EXPECT_THAT(text, HasSubstr("Held at their nominal values: fixed0, fixed1,"));
   EXPECT_THAT(text, HasSubstr("60 more in result.json"));
   EXPECT_THAT(text, Not(HasSubstr("fixed99")));
@@ -86,7 +86,7 @@ std::string Judged(IntervalVerdict intervals, bool diagnosed) {
     result.diagnosis.emplace();
     result.diagnosis->misfit.rows = 150;
   }
-  std::string text = SectionText(result);
+  std::string text = ParameterText(result);
   for (std::size_t at = 0; (at = text.find("\n  ", at)) != std::string::npos;) {
     text.replace(at, 3, " ");
   }
