@@ -203,13 +203,15 @@ bool ReadingRows::Compare(const Tile& tile,
   work->by_now.setZero(count, num_coordinates * 6);
   work->by_before.setZero(count, num_coordinates * 6);
   auto r = rows->r();
+  const bool pairs = tile.before[0] >= 0 || !tile.contiguous;
+  // Kinds write the same entries for every reading, the others stay zero.
+  ReadingComparison comparison(static_cast<int>(num_coordinates));
   for (Index i = 0; i < count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Reading& reading = model_.readings[static_cast<std::size_t>(tile.readings[k])];
     const SeenPose& now = work->seen[static_cast<std::size_t>(tile.now[k])];
     const SeenPose* const before =
         tile.before[k] >= 0 ? &work->seen[static_cast<std::size_t>(tile.before[k])] : nullptr;
-    ReadingComparison comparison(static_cast<int>(num_coordinates));
     if (!model_.measurement->Compare(reading, now, before, &comparison)) return false;
     const double by_length = noise.shared ? 1 : 1 / noise.sigma[reading.row_idx];
     for (Index c = 0; c < num_coordinates; ++c) {
@@ -217,42 +219,57 @@ bool ReadingRows::Compare(const Tile& tile,
       const double over_sigma = length ? by_length : 1 / noise.sigma_rotation;
       r[c * count + i] = over_sigma * comparison.difference[c];
       work->by_now.row(i).segment<6>(c * 6) = over_sigma * comparison.by_now.row(c);
-      work->by_before.row(i).segment<6>(c * 6) = over_sigma * comparison.by_before.row(c);
+      if (pairs)
+        work->by_before.row(i).segment<6>(c * 6) = over_sigma * comparison.by_before.row(c);
     }
   }
+  AddTwists(tile, pairs, *work, rows);
+  // What is not finite in J comes from a pose that is not, and that shows in r.
+  return rows->r().allFinite();
+}
+
+void ReadingRows::AddTwists(const Tile& tile,
+                            bool pairs,
+                            const Workspace& work,
+                            TileRows* rows) const {
+  const auto count = static_cast<Index>(tile.readings.size());
+  const Index num_coordinates = rows->rows().rows() / count;
   const Scope& scope = model_.scopes[static_cast<std::size_t>(tile.scope)];
+  const auto twist = std::as_const(*work.tile).J();
   auto J = rows->J();
-  J.setZero();
-  const auto twist = std::as_const(*work->tile).J();
+  const bool all = static_cast<int>(scope.parameters.size()) == num_unknowns();
+  if (!all) J.setZero();
   const auto add = [&](const Eigen::MatrixXd& weights,
                        const std::vector<int>& of,
                        Index coordinate,
-                       Index component) {
-    const auto weight = weights.col(coordinate * 6 + component);
-    if ((weight.array() == 0).all()) return;
+                       Index component,
+                       bool first) {
+    const auto weight = weights.col(coordinate * 6 + component).array();
+    if (!first && (weight == 0).all()) return;
     for (std::size_t k = 0; k < scope.parameters.size(); ++k) {
-      auto out = J.col(scope.parameters[k]).segment(coordinate * count, count);
+      auto out = J.col(scope.parameters[k]).segment(coordinate * count, count).array();
       const auto column =
           twist.col(static_cast<Index>(k)).segment<PoseTile::kPoses>(component * PoseTile::kPoses);
-      if (tile.contiguous) {
-        out.array() += weight.array() * column.segment(of[0], count).array();
-        continue;
-      }
-      for (Index i = 0; i < count; ++i) {
-        const int at = of[static_cast<std::size_t>(i)];
-        if (at >= 0) out[i] += weight[i] * column[at];
+      if (tile.contiguous && first) {
+        out = weight * column.segment(of[0], count).array();
+      } else if (tile.contiguous) {
+        out += weight * column.segment(of[0], count).array();
+      } else {
+        if (first) out.setZero();
+        for (Index i = 0; i < count; ++i) {
+          const int at = of[static_cast<std::size_t>(i)];
+          if (at >= 0) out[i] += weight[i] * column[at];
+        }
       }
     }
   };
-  const bool pairs = tile.before[0] >= 0 || !tile.contiguous;
   const Index components = model_.measurement->kind().sees_orientation() ? 6 : 3;
   for (Index coordinate = 0; coordinate < num_coordinates; ++coordinate) {
     for (Index component = 0; component < components; ++component) {
-      add(work->by_now, tile.now, coordinate, component);
-      if (pairs) add(work->by_before, tile.before, coordinate, component);
+      add(work.by_now, tile.now, coordinate, component, component == 0);
+      if (pairs) add(work.by_before, tile.before, coordinate, component, false);
     }
   }
-  return rows->rows().allFinite();
 }
 
 void ReadingRows::WhitenSeries(const RowNoise& noise,

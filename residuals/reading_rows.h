@@ -157,6 +157,8 @@ class ReadingRows {
   Eigen::VectorXd ScopeDeltas(int scope, const Eigen::VectorXd& x) const;
   void EvaluatePoses(const Tile& tile, const Eigen::VectorXd& x, Workspace* work) const;
   bool Compare(const Tile& tile, const RowNoise& noise, Workspace* work, TileRows* rows) const;
+  /// J of a tile: derivatives by twist, times the twists of the parameters.
+  void AddTwists(const Tile& tile, bool pairs, const Workspace& work, TileRows* rows) const;
   void WhitenSeries(const RowNoise& noise,
                     const Tile& tile,
                     OpenSeries* series,

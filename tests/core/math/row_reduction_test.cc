@@ -14,6 +14,7 @@
 #include "tests/support/matchers.h"
 #include "tests/support/random_matrix.h"
 #include "tests/support/simd_levels.h"
+#include "tests/support/triangle.h"
 
 namespace dhcal {
 namespace {
@@ -36,13 +37,6 @@ MatrixXd ByHouseholder(const MatrixXd& A) {
   Tsqr tsqr(static_cast<int>(A.cols()));
   tsqr.Add(A);
   return tsqr.R();
-}
-
-MatrixXd WithPositiveDiagonal(MatrixXd R) {
-  for (Eigen::Index row = 0; row < R.rows(); ++row) {
-    if (R(row, row) < 0) R.row(row) *= -1;
-  }
-  return R;
 }
 
 MatrixXd Orthonormal(int rows, int cols, Rng* rng) {

@@ -9,6 +9,7 @@
 #include "core/base/rng.h"
 #include "tests/support/matchers.h"
 #include "tests/support/random_matrix.h"
+#include "tests/support/triangle.h"
 
 namespace dhcal {
 namespace {
@@ -23,13 +24,6 @@ MatrixXd ReducedInChunks(const MatrixXd& A, int chunk) {
   }
   EXPECT_EQ(tsqr.num_rows(), A.rows());
   return tsqr.R();
-}
-
-MatrixXd WithPositiveDiagonal(MatrixXd R) {
-  for (Eigen::Index row = 0; row < R.rows(); ++row) {
-    if (R(row, row) < 0) R.row(row) *= -1;
-  }
-  return R;
 }
 
 TEST(Tsqr, KeepsTheGramMatrixForAnyNumberOfRows) {

@@ -81,16 +81,16 @@ TEST(DiagnosisSection, AProbabilityAtTheFloorOfTheDrawsIsABound) {
   Result result = WithFinding();
   result.diagnosis->misfit.p_floor = 6e-4;
   result.diagnosis->misfit.p_value = 6e-4;
-  EXPECT_THAT(SectionText(ExampleSpec(), result), ContainsRegex("this:[[:space:]]+< 6.0e-04"));
+  EXPECT_THAT(DiagnosisText(ExampleSpec(), result), ContainsRegex("this:[[:space:]]+< 6.0e-04"));
   result.diagnosis->misfit.p_value = 1e-12;  // of the order scan, a bound by itself
-  EXPECT_THAT(SectionText(ExampleSpec(), result), HasSubstr("1.0e-12"));
+  EXPECT_THAT(DiagnosisText(ExampleSpec(), result), HasSubstr("1.0e-12"));
 }
 
 TEST(DiagnosisSection, RowsSetAsideAreNamed) {
   Result result = WithFinding();
   result.diagnosis->misfit.outliers = 2;
   result.diagnosis->misfit.outlier_rows = {64, 92};
-  EXPECT_THAT(SectionText(ExampleSpec(), result), HasSubstr("65, 93"));
+  EXPECT_THAT(DiagnosisText(ExampleSpec(), result), HasSubstr("65, 93"));
 }
 
 TEST(DiagnosisSection, PosesOfTurningJointsAreInDegrees) {
