@@ -104,6 +104,15 @@ void NameFreed(const std::vector<EffectRequest>& shapes,
   }
 }
 
+/// What would be missed most comes first. Not by their p-values, which underflow for all that is
+/// strong.
+void SortBySize(std::vector<Finding>* findings) {
+  std::stable_sort(findings->begin(), findings->end(), [](const Finding& a, const Finding& b) {
+    if (a.rms_train_before != b.rms_train_before) return a.rms_train_before > b.rms_train_before;
+    return InstanceName(a.effect) < InstanceName(b.effect);
+  });
+}
+
 /// Positions of the finding that helps the prediction least.
 std::vector<std::size_t> LeastHelpful(const std::vector<Finding>& findings,
                                       const std::vector<EffectRequest>& names) {
@@ -184,6 +193,7 @@ Refitted RefitAndJudge(const ProblemSpec& spec,
                             ? totals.rms_test_after < totals.rms_test_before
                             : !TestRowsSpeakAgainst(*before, *after);
       if (hold) {
+        SortBySize(&findings);
         std::move(findings.begin(), findings.end(), std::back_inserter(d->findings));
         TakeTotals(totals, d);
         d->model = WithValues(shapes, *after);
