@@ -85,7 +85,7 @@ std::string ReadAll(const fs::path& file) {
 }
 
 TEST(KeptCases, NameTheHashOfTheirAnswers) {
-  const fs::path kept = SourcePath("tools/proof/simulator/kept");
+  const fs::path kept = SourcePath("problems/cases/concealed");
   for (const char* const name : {"D5_kr15_01", "D10_ur10_02", "D18A_small_03"}) {
     const std::string answer = ReadAll(kept / "sealed" / (std::string(name) + ".json"));
     ASSERT_FALSE(answer.empty()) << name;
