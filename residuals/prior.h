@@ -4,6 +4,7 @@
 #ifndef DHCAL_RESIDUALS_PRIOR_H_
 #define DHCAL_RESIDUALS_PRIOR_H_
 
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
