@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/math/row_reduction.h"
 #include "core/math/tsqr.h"
 #include "core/solver/linearization.h"
 #include "core/solver/truncation.h"
@@ -20,7 +21,7 @@ constexpr int kFolds = 5;
 /// Triangles of [J, -r], one per block of consecutive readings: all that a left-out prediction
 /// needs, whatever the number of rows. Nothing where the model cannot be evaluated.
 std::optional<std::vector<Eigen::MatrixXd>> FoldTriangles(const CalibrationProblem& problem) {
-  std::vector<Tsqr> folds(kFolds, Tsqr(problem.num_unknowns() + 1));
+  std::vector<RowReduction> folds(kFolds, RowReduction(problem.num_unknowns() + 1));
   const int num_readings = problem.rows().num_readings();
   Eigen::MatrixXd rows;
   const auto visit = [&](const TileRows& tile) {
@@ -43,7 +44,7 @@ std::optional<std::vector<Eigen::MatrixXd>> FoldTriangles(const CalibrationProbl
   };
   if (!problem.rows().Visit(problem.state(), problem.row_noise(), visit)) return std::nullopt;
   std::vector<Eigen::MatrixXd> triangles;
-  for (Tsqr& fold : folds) triangles.push_back(fold.R());
+  for (RowReduction& fold : folds) triangles.push_back(fold.R());
   return triangles;
 }
 
