@@ -29,7 +29,7 @@ std::string Parts(const std::vector<ListItem>& parts, int indent) {
 
 /// What stands before the text of item `i`.
 std::string Mark(const List& list, std::size_t i, int label_width) {
-  const std::string label = Before(list.items[i].label);
+  std::string label = Before(list.items[i].label);
   switch (list.kind) {
     case List::Kind::kPlain:
       return label;
