@@ -19,8 +19,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Rows that are divided by U before their products are summed: the quotients stay in the cache.
-constexpr Index kBlockRows = 96;
-static_assert(kBlockRows % simd::kLanes == 0);
+constexpr Index kPackedRows = 96;
+static_assert(kPackedRows % simd::kLanes == 0);
 // Rows per column that U is first made from: enough to be of the later ones' kind, and few enough
 // that Householder's share is small.
 constexpr Index kSampleRows = 4;
@@ -93,9 +93,9 @@ Index GramBlocks(Index num_cols) {
 
 RowReduction::RowReduction(int num_cols, const simd::Kernels& kernels)
     : kernels_(&kernels),
-      sample_(kSampleRows * num_cols + kBlockRows, num_cols),
+      sample_(kSampleRows * num_cols + kPackedRows, num_cols),
       R_(MatrixXd::Zero(num_cols, num_cols)),
-      T_(static_cast<std::size_t>(kBlockRows * num_cols)),
+      T_(static_cast<std::size_t>(kPackedRows * num_cols)),
       sums_(static_cast<std::size_t>(GramBlocks(num_cols) * simd::kGramBlock * simd::kGramBlock *
                                      simd::kLanes)) {
   CHECK_GT(num_cols, 0);
@@ -103,10 +103,10 @@ RowReduction::RowReduction(int num_cols, const simd::Kernels& kernels)
 
 void RowReduction::Add(const RowTile& tile) {
   num_rows_ += tile.num_rows;
-  for (Index first = 0; first < tile.num_rows; first += kBlockRows) {
+  for (Index first = 0; first < tile.num_rows; first += kPackedRows) {
     RowTile block = tile;
     block.data += first;
-    block.num_rows = std::min(kBlockRows, tile.num_rows - first);
+    block.num_rows = std::min(kPackedRows, tile.num_rows - first);
     if (tile.weight != nullptr) block.weight += first;
     if (conditioned_) {
       AddBlock(block);
@@ -129,8 +129,8 @@ void RowReduction::Merge(RowReduction* other) {
     AddByHouseholder(R);
     return;
   }
-  for (Index first = 0; first < R.rows() && !conditioned_; first += kBlockRows) {
-    const Index count = std::min(kBlockRows, R.rows() - first);
+  for (Index first = 0; first < R.rows() && !conditioned_; first += kPackedRows) {
+    const Index count = std::min(kPackedRows, R.rows() - first);
     AddSample(R.middleRows(first, count));
   }
 }
