@@ -11,7 +11,7 @@ namespace dhcal {
 namespace {
 
 /// A fit without a diagnosis.
-Result Fitted(double rms) {
+Result FitThatLeaves(double rms) {
   Result result;
   result.fits.resize(1);
   result.fits[0].usable = true;
@@ -22,15 +22,15 @@ Result Fitted(double rms) {
 
 /// A fit whose whitened squares are `reduced` per degree of freedom.
 Result WithChiSquare(double reduced, int freedom) {
-  Result result = Fitted(4e-4);
+  Result result = FitThatLeaves(4e-4);
   result.fits[0].chi2_reduced = reduced;
   result.fits[0].chi2_p = ChiSquareTail(reduced * freedom, freedom);
   return result;
 }
 
 /// A fit and a diagnosis that came to this verdict.
-Result Diagnosed(DiagnosisVerdict verdict, const std::string& effect_class) {
-  Result result = Fitted(4e-4);
+Result WithVerdict(DiagnosisVerdict verdict, const std::string& effect_class) {
+  Result result = FitThatLeaves(4e-4);
   result.diagnosis.emplace();
   result.diagnosis->verdict = verdict;
   result.diagnosis->misfit.rows = 150;
@@ -42,9 +42,9 @@ Result Diagnosed(DiagnosisVerdict verdict, const std::string& effect_class) {
 }
 
 TEST(JudgeIntervals, TheyHoldWhereTheModelMeetsTheNoise) {
-  EXPECT_EQ(JudgeIntervals(Diagnosed(DiagnosisVerdict::kConsistent, "")), IntervalVerdict::kHold);
+  EXPECT_EQ(JudgeIntervals(WithVerdict(DiagnosisVerdict::kConsistent, "")), IntervalVerdict::kHold);
   EXPECT_EQ(JudgeIntervals(WithChiSquare(1.04, 300)), IntervalVerdict::kHold);
-  EXPECT_EQ(JudgeIntervals(Fitted(4e-4)), IntervalVerdict::kHold);
+  EXPECT_EQ(JudgeIntervals(FitThatLeaves(4e-4)), IntervalVerdict::kHold);
   EXPECT_EQ(JudgeIntervals(Result()), IntervalVerdict::kHold);
 }
 
@@ -53,14 +53,14 @@ TEST(JudgeIntervals, TheyDoNotWhereTheDiagnosisFoundPhysics) {
                                          DiagnosisVerdict::kPartlyExplained,
                                          DiagnosisVerdict::kAmbiguous,
                                          DiagnosisVerdict::kUnexplained}) {
-    EXPECT_EQ(JudgeIntervals(Diagnosed(verdict, "C1")), IntervalVerdict::kModelMissesNoise);
+    EXPECT_EQ(JudgeIntervals(WithVerdict(verdict, "C1")), IntervalVerdict::kModelMissesNoise);
   }
 }
 
 TEST(JudgeIntervals, TheyDoNotWhereGeometryIsMissing) {
-  EXPECT_EQ(JudgeIntervals(Diagnosed(DiagnosisVerdict::kExplained, "geometry")),
+  EXPECT_EQ(JudgeIntervals(WithVerdict(DiagnosisVerdict::kExplained, "geometry")),
             IntervalVerdict::kGeometryIncomplete);
-  Result both = Diagnosed(DiagnosisVerdict::kExplained, "geometry");
+  Result both = WithVerdict(DiagnosisVerdict::kExplained, "geometry");
   both.diagnosis->findings.emplace_back();
   both.diagnosis->findings[1].effect_class = "C1";
   EXPECT_EQ(JudgeIntervals(both), IntervalVerdict::kModelMissesNoise);
@@ -84,8 +84,8 @@ TEST(JudgeIntervals, TheyHoldWhereFewReadingsMissByChance) {
 }
 
 TEST(IsNoiseFree, MeansLessThanAnyInstrumentReads) {
-  EXPECT_TRUE(IsNoiseFree(Fitted(2e-16)));
-  EXPECT_FALSE(IsNoiseFree(Fitted(2e-5)));
+  EXPECT_TRUE(IsNoiseFree(FitThatLeaves(2e-16)));
+  EXPECT_FALSE(IsNoiseFree(FitThatLeaves(2e-5)));
   EXPECT_FALSE(IsNoiseFree(Result()));
 }
 
