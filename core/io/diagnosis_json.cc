@@ -25,6 +25,7 @@ Json MisfitToJson(const Misfit& misfit) {
   Set("rms_m", misfit.rms, &object);
   SetCount("rows", misfit.rows, &object);
   SetCount("outliers", misfit.outliers, &object);
+  object["outlier_rows"] = misfit.outlier_rows;
   return object;
 }
 

@@ -30,7 +30,8 @@ struct Misfit {
   bool noise_known = false;
   double rms = kUnknown;  // [m] per coordinate, complete geometry
   int rows = -1;
-  int outliers = -1;  // rows set aside
+  int outliers = -1;  // rows set aside, test rows included
+  std::vector<int> outlier_rows;  // which, from 1 as in the recording
 };
 
 /// One cell of the mismatch map.

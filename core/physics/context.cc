@@ -24,6 +24,36 @@ PhysicsContext::PhysicsContext(const RobotModel& robot,
   FillClock();
 }
 
+PhysicsContext::PhysicsContext(const RobotModel& robot,
+                               const Recording& recording,
+                               std::vector<Eigen::Isometry3d> X_WB,
+                               const Eigen::MatrixXd& deltas)
+    : robot_(robot), recording_(recording), chain_(robot), X_WB_(std::move(X_WB)) {
+  CHECK(!X_WB_.empty());
+  CHECK_EQ(deltas.rows(), slots().size());
+  CHECK_EQ(deltas.cols(), num_rows());
+  frames_.reserve(static_cast<std::size_t>(num_rows()) *
+                  static_cast<std::size_t>(num_joints() + 1));
+  for (int k = 0; k < num_rows(); ++k) {
+    const auto frames = chain_.LinkFrames(recording_.q.row(k).transpose(), deltas.col(k));
+    frames_.insert(frames_.end(), frames.begin(), frames.end());
+  }
+  FillDirections();
+  FillClock();
+}
+
+PhysicsContext::PhysicsContext(const PhysicsContext& other, const RobotModel& with_masses)
+    : robot_(with_masses),
+      recording_(other.recording_),
+      chain_(other.chain_),
+      X_WB_(other.X_WB_),
+      frames_(other.frames_),
+      direction_(other.direction_),
+      clock_(other.clock_),
+      drift_clock_(other.drift_clock_),
+      has_one_clock_(other.has_one_clock_),
+      duration_(other.duration_) {}
+
 Eigen::Vector3d PhysicsContext::p_WQ(int row_idx) const {
   if (recording_.p_WQ.rows() > 0 && recording_.p_WQ.row(row_idx).allFinite()) {
     return recording_.p_WQ.row(row_idx).transpose();

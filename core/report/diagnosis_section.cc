@@ -22,6 +22,7 @@ constexpr std::size_t kMostConfusable = 6;
 constexpr std::size_t kMostHidden = 8;
 constexpr std::size_t kMostPoses = 4;
 constexpr std::size_t kMostNotTestable = 12;
+constexpr std::size_t kMostOutliers = 30;
 
 std::string Upper(std::string text) {
   for (char& c : text) c = c == '_' ? ' ' : static_cast<char>(std::toupper(c));
@@ -74,7 +75,13 @@ std::string MisfitWords(const DiagnosisResult& d) {
       Probability(m.p_value),
       d.false_alarm);
   if (m.outliers > 0) {
-    text += fmt::format(" {} set aside as outliers.", Counted(m.outliers, "row"));
+    text += fmt::format(" {} set aside as outliers", Counted(m.outliers, "row"));
+    std::vector<std::string> rows;
+    for (const int row : m.outlier_rows) {
+      if (rows.size() < kMostOutliers) rows.push_back(std::to_string(row));
+    }
+    if (m.outlier_rows.size() > rows.size()) rows.push_back("...");
+    text += rows.empty() ? "." : fmt::format(" (row {}).", fmt::join(rows, ", "));
   }
   return Wrap("  ", text);
 }

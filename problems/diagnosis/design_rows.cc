@@ -3,10 +3,10 @@
 #include <cmath>
 #include <map>
 
+#include <Eigen/Cholesky>
 #include <glog/logging.h>
 
 #include "core/math/rotation.h"
-#include "problems/prediction.h"
 
 namespace dhcal {
 namespace {
@@ -16,13 +16,37 @@ bool IsShared(const Calibration& c) {
          c.spec.measurement.noise == NoiseKind::kSharedPose;
 }
 
-PoseWithDerivatives PoseAt(const Calibration& c, const Eigen::VectorXd& state, int row) {
-  PoseWithDerivatives pose;
-  c.chain.PoseAndDerivatives(c.recording.q.row(row).transpose(),
-                             c.SlotDeltas(state, row),
-                             c.frames.ends(c.recording.run(row), c.Target(row)),
-                             &pose);
-  return pose;
+/// Rows in standard deviations: divided by the square root of `extra` + diag(sigma^2), times root.
+void Whiten(const Eigen::MatrixXd& extra,
+            const Eigen::VectorXd& sigma,
+            double root,
+            Eigen::VectorXd* y,
+            Eigen::MatrixXd* J) {
+  if (extra.isZero(0)) {
+    const Eigen::VectorXd scale = root * sigma.cwiseInverse();
+    *y = scale.cwiseProduct(*y);
+    *J = scale.asDiagonal() * *J;
+    return;
+  }
+  Eigen::MatrixXd covariance = extra;
+  covariance.diagonal() += sigma.cwiseAbs2();
+  const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
+  *y = root * factor.matrixL().solve(*y);
+  *J = root * factor.matrixL().solve(*J);
+}
+
+/// What a state adds to the slots of the rows that are read.
+Eigen::MatrixXd DeltasAt(const Calibration& c,
+                         const Eigen::VectorXd& state,
+                         const std::vector<Reading>& readings) {
+  Eigen::MatrixXd deltas = Eigen::MatrixXd::Zero(c.chain.slots().size(), c.recording.num_rows());
+  for (const Reading& reading : readings) {
+    deltas.col(reading.row_idx) = c.SlotDeltas(state, reading.row_idx);
+    if (reading.previous_idx >= 0) {
+      deltas.col(reading.previous_idx) = c.SlotDeltas(state, reading.previous_idx);
+    }
+  }
+  return deltas;
 }
 
 }  // namespace
@@ -31,7 +55,16 @@ DesignRows::DesignRows(const Calibration& c,
                        const Eigen::VectorXd& state,
                        const Noise& noise,
                        const std::vector<Reading>& readings)
-    : c_(c), coordinates_(NumCoordinates(c.spec.measurement.kind)) {
+    : DesignRows(c, DeltasAt(c, state, readings), RowWeights{noise, {}, {}}, readings) {}
+
+DesignRows::DesignRows(const Calibration& c,
+                       const Eigen::MatrixXd& deltas,
+                       const RowWeights& weights,
+                       const std::vector<Reading>& readings)
+    : c_(c),
+      deltas_(deltas),
+      weights_(weights),
+      coordinates_(NumCoordinates(c.spec.measurement.kind)) {
   // A series has one row more than it has differences; at most each difference is a series.
   const auto most =
       static_cast<Eigen::Index>(readings.size()) * coordinates_ * (IsShared(c) ? 2 : 1);
@@ -41,13 +74,13 @@ DesignRows::DesignRows(const Calibration& c,
     before_.resize(most, c.chain.slots().size());
   }
   if (IsShared(c)) {
-    AddSeries(state, readings, noise);
+    AddSeries(readings);
   } else {
     for (const Reading& reading : readings) {
       if (reading.previous_idx >= 0) {
-        AddPair(state, reading, noise);
+        AddPair(reading);
       } else {
-        AddPose(state, reading, noise);
+        AddPose(reading);
       }
     }
   }
@@ -55,6 +88,33 @@ DesignRows::DesignRows(const Calibration& c,
   TakeOutOffsets(&y_);
   now_.conservativeResize(filled_, Eigen::NoChange);
   if (before_.rows() > 0) before_.conservativeResize(filled_, Eigen::NoChange);
+}
+
+PoseWithDerivatives DesignRows::PoseAt(int row) const {
+  PoseWithDerivatives pose;
+  c_.chain.PoseAndDerivatives(c_.recording.q.row(row).transpose(),
+                              deltas_.col(row),
+                              c_.frames.ends(c_.recording.run(row), c_.Target(row)),
+                              &pose);
+  return pose;
+}
+
+double DesignRows::RootWeight(int row) const {
+  return weights_.weight.size() == 0 ? 1.0 : std::sqrt(weights_.weight[row]);
+}
+
+Eigen::MatrixXd DesignRows::Rounding(const Eigen::MatrixXd& J) const {
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(J.rows(), J.rows());
+  for (int joint = 0; joint < weights_.quantum.size(); ++joint) {
+    const double variance = weights_.quantum[joint] * weights_.quantum[joint] / 12;
+    if (variance == 0) continue;
+    const bool turns =
+        c_.spec.robot.joints[static_cast<std::size_t>(joint)].type == JointType::kRevolute;
+    const Eigen::VectorXd column =
+        J.col(c_.chain.slots().joint(joint, turns ? JointSlot::kTheta : JointSlot::kD));
+    covariance += variance * column * column.transpose();
+  }
+  return covariance;
 }
 
 void DesignRows::Append(const Eigen::VectorXd& y,
@@ -72,50 +132,46 @@ void DesignRows::Append(const Eigen::VectorXd& y,
   filled_ += static_cast<int>(y.size());
 }
 
-void DesignRows::AddPose(const Eigen::VectorXd& state, const Reading& reading, const Noise& noise) {
+void DesignRows::AddPose(const Reading& reading) {
   const int row = reading.row_idx;
-  const PoseWithDerivatives pose = PoseAt(c_, state, row);
-  const Comparison comparison = Compare(c_, state, reading);
-  const double sigma = c_.RowSigma(row, noise);
-  Eigen::VectorXd y = comparison.residual;
+  const PoseWithDerivatives pose = PoseAt(row);
+  Eigen::VectorXd y(coordinates_);
   Eigen::MatrixXd J(coordinates_, pose.J_p.cols());
-  switch (c_.spec.measurement.kind) {
-    case MeasurementKind::kDistance: {
-      const Eigen::Vector3d p_AQ = pose.p_WQ - c_.Anchor(row);
-      J = p_AQ.normalized().transpose() * pose.J_p;
-      break;
-    }
-    case MeasurementKind::kPose: {
-      // Log(R_measured R') grows by -J_r^-1 w when R turns by w; near zero that is -w, and the
-      // reading is R itself, which grows by w.
-      J.topRows<3>() = pose.J_p;
-      J.bottomRows<3>() = LeftJacobianInverseSO3(-y.tail<3>()) * pose.J_w;
-      J.bottomRows<3>() /= noise.sigma_rotation;
-      y.tail<3>() /= noise.sigma_rotation;
-      J.topRows<3>() /= sigma;
-      y.head<3>() /= sigma;
-      return Append(y, J, row, nullptr, -1);
-    }
-    case MeasurementKind::kPosition:
-    case MeasurementKind::kAdjacentPosition:
-      J = pose.J_p;
-      break;
+  Eigen::VectorXd sigma = Eigen::VectorXd::Constant(coordinates_, c_.RowSigma(row, weights_.noise));
+  if (c_.spec.measurement.kind == MeasurementKind::kDistance) {
+    const Eigen::Vector3d p_AQ = pose.p_WQ - c_.Anchor(row);
+    y[0] = c_.recording.distance[row] - p_AQ.norm();
+    J = p_AQ.normalized().transpose() * pose.J_p;
+  } else if (c_.spec.measurement.kind == MeasurementKind::kPose) {
+    const Eigen::Isometry3d measured = c_.MeasuredPose(row);
+    y << measured.translation() - pose.p_WQ, LogSO3(measured.linear() * pose.R_WQ.transpose());
+    // Log(R_measured R') grows by -J_r^-1 w when R turns by w; near zero that is -w, and the
+    // reading is R itself, which grows by w.
+    J.topRows<3>() = pose.J_p;
+    J.bottomRows<3>() = LeftJacobianInverseSO3(-y.tail<3>()) * pose.J_w;
+    sigma.tail<3>().setConstant(weights_.noise.sigma_rotation);
+  } else {
+    y = c_.recording.p_WQ.row(row).transpose() - pose.p_WQ;
+    J = pose.J_p;
   }
-  Append(y / sigma, J / sigma, row, nullptr, -1);
+  Whiten(Rounding(J), sigma, RootWeight(row), &y, &J);
+  Append(y, J, row, nullptr, -1);
 }
 
-void DesignRows::AddPair(const Eigen::VectorXd& state, const Reading& reading, const Noise& noise) {
-  const double sigma = c_.RowSigma(reading.row_idx, noise);
-  const PoseWithDerivatives now = PoseAt(c_, state, reading.row_idx);
-  const PoseWithDerivatives before = PoseAt(c_, state, reading.previous_idx);
-  const Eigen::VectorXd y = Compare(c_, state, reading).residual / sigma;
-  const Eigen::MatrixXd J_now = now.J_p / sigma, J_before = before.J_p / sigma;
-  Append(y, J_now, reading.row_idx, &J_before, reading.previous_idx);
+void DesignRows::AddPair(const Reading& reading) {
+  const PoseWithDerivatives now = PoseAt(reading.row_idx);
+  const PoseWithDerivatives before = PoseAt(reading.previous_idx);
+  Eigen::VectorXd y = MeasuredDisplacement(c_.recording, reading) - (now.p_WQ - before.p_WQ);
+  Eigen::MatrixXd J(3, 2 * now.J_p.cols());
+  J << now.J_p, before.J_p;
+  const Eigen::VectorXd sigma =
+      Eigen::VectorXd::Constant(3, c_.RowSigma(reading.row_idx, weights_.noise));
+  Whiten(Rounding(now.J_p) + Rounding(before.J_p), sigma, RootWeight(reading.row_idx), &y, &J);
+  const Eigen::MatrixXd J_before = J.rightCols(now.J_p.cols());
+  Append(y, J.leftCols(now.J_p.cols()), reading.row_idx, &J_before, reading.previous_idx);
 }
 
-void DesignRows::AddSeries(const Eigen::VectorXd& state,
-                           const std::vector<Reading>& readings,
-                           const Noise& noise) {
+void DesignRows::AddSeries(const std::vector<Reading>& readings) {
   struct Last {
     int series = 0;
     Eigen::Vector3d y = Eigen::Vector3d::Zero();  // [m] up to the series' offset
@@ -124,8 +180,11 @@ void DesignRows::AddSeries(const Eigen::VectorXd& state,
   std::vector<Eigen::Triplet<double>> offsets;
   std::vector<double> length2;  // of each series' offsets
   const auto add = [&](int row, const Last& last) {
-    const double sigma = c_.RowSigma(row, noise);
-    const PoseWithDerivatives pose = PoseAt(c_, state, row);
+    const PoseWithDerivatives pose = PoseAt(row);
+    // One number per row, so that what the offsets take stays a mean of rows.
+    const double rounding = Rounding(pose.J_p).trace() / 3;
+    const double sigma =
+        std::hypot(c_.RowSigma(row, weights_.noise), std::sqrt(rounding)) / RootWeight(row);
     const Eigen::VectorXd y = (last.y - pose.p_WQ) / sigma;
     for (int k = 0; k < 3; ++k) offsets.emplace_back(filled_ + k, 3 * last.series + k, 1 / sigma);
     length2.resize(static_cast<std::size_t>(num_series_));
@@ -137,7 +196,7 @@ void DesignRows::AddSeries(const Eigen::VectorXd& state,
     if (of_row.count(reading.previous_idx) == 0) {
       Last first;
       first.series = num_series_++;
-      first.y = PoseAt(c_, state, reading.previous_idx).p_WQ;
+      first.y = PoseAt(reading.previous_idx).p_WQ;
       add(reading.previous_idx, first);
     }
     Last next = of_row.at(reading.previous_idx);

@@ -125,7 +125,14 @@ void AddAlternatives(const Elsewhere& elsewhere,
         const Hypothesis& h = At(space, other);
         if (h.family == At(space, member).family) continue;
         finding.confusable_with.push_back(ConfusableWith(space, member, other));
-        const Elsewhere::Split split = elsewhere.PosesThatSplit(member, other);
+        Eigen::VectorXd size =
+            space.Projected(member).completeOrthogonalDecomposition().solve(space.y());
+        const auto columns = EffectColumns(space.context(), At(space, member).request);
+        for (Eigen::Index k = 0; k < size.size(); ++k) {
+          size[k] *= columns[static_cast<std::size_t>(k)].typical;
+        }
+        const Elsewhere::Split split =
+            elsewhere.PosesThatSplit(At(space, member).request, size, h.request);
         if (hardest_other < 0 || split.largest < hardest.largest) {
           hardest = split;
           hardest_other = other;
@@ -282,8 +289,10 @@ void AddHidden(const Elsewhere& elsewhere,
                const std::vector<int>& names,
                double sigma_scale,
                DiagnosisResult* d) {
-  const Eigen::MatrixXd basis = space.BasisOf(names);
-  const Eigen::VectorXd y = ProjectOff(basis, space.y());
+  const Eigen::MatrixXd of_names = space.BasisOf(names);
+  const Eigen::VectorXd y = ProjectOff(of_names, space.y());
+  Eigen::MatrixXd basis(space.U().rows(), space.U().cols() + of_names.cols());
+  basis << space.U(), of_names;
   std::vector<int> hidden;
   std::set<std::string> seen;
   for (const int k : names) seen.insert(At(space, k).family);
@@ -294,7 +303,7 @@ void AddHidden(const Elsewhere& elsewhere,
   d->hidden.resize(hidden.size());
   ParallelFor(static_cast<int>(hidden.size()), [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    d->hidden[at] = elsewhere.Risk(hidden[at], basis, y, sigma_scale);
+    d->hidden[at] = elsewhere.Risk(At(space, hidden[at]).request, basis, y, sigma_scale);
   });
   std::sort(d->hidden.begin(), d->hidden.end(), [](const HiddenRisk& a, const HiddenRisk& b) {
     const double one = std::isnan(a.risk) ? -1 : a.risk;
@@ -352,8 +361,11 @@ void Conclude(const CompleteFit& geometry,
           : std::sqrt((space.y().squaredNorm() - outcome.removed_by_all) / d->misfit.dof);
   FillMap(space, outcome, d);
   FillHypotheses(space, outcome, d);
-  const Elsewhere elsewhere(
-      geometry.calibration, geometry.state(), space, geometry.calibration.parameters);
+  const Elsewhere elsewhere(geometry.calibration,
+                            geometry.state(),
+                            space.context(),
+                            space.rows(),
+                            geometry.calibration.parameters);
   if (outcome.complete) AddAlternatives(elsewhere, space, outcome, d);
   Decide(outcome, rest_left, d);
   const bool rest = d->verdict == DiagnosisVerdict::kPartlyExplained ||
