@@ -51,7 +51,8 @@ class Loop {
 
   LoopOutcome Run();
 
-  RowChoice Choice() const;
+  /// Good rows; of a long recording those that are searched, evenly over it, or `all`.
+  RowChoice Choice(bool all = false) const;
   /// Readings of the fit, or the test rows, without those that are off.
   std::vector<Reading> GoodReadings(bool test) const;
   double NumPoses() const;

@@ -44,6 +44,36 @@ bool IsSharedPose(const Calibration& c) {
          c.spec.measurement.noise == NoiseKind::kSharedPose;
 }
 
+/// Readings that follow each other without a gap (differences), cut to pieces of a length; single
+/// readings are pieces of their own.
+std::vector<std::vector<Reading>> PiecesOf(const std::vector<Reading>& readings) {
+  constexpr std::size_t kLongest = 100;
+  std::vector<std::vector<Reading>> pieces;
+  for (const Reading& reading : readings) {
+    const bool follows = reading.previous_idx >= 0 && !pieces.empty() &&
+                         pieces.back().back().row_idx == reading.previous_idx &&
+                         pieces.back().size() < kLongest;
+    if (!follows) pieces.emplace_back();
+    pieces.back().push_back(reading);
+  }
+  return pieces;
+}
+
+/// Evenly over the recording. Differences are taken in pieces: one torn out of its series would say
+/// little, since its own offset is free.
+std::vector<Reading> Thinned(const std::vector<Reading>& readings) {
+  const auto most = static_cast<std::size_t>(kTuning.most_searched);
+  if (readings.size() <= most) return readings;
+  const std::vector<std::vector<Reading>> pieces = PiecesOf(readings);
+  const std::size_t wanted = std::max<std::size_t>(1, pieces.size() * most / readings.size());
+  std::vector<Reading> thinned;
+  for (std::size_t k = 0; k < wanted; ++k) {
+    const std::vector<Reading>& piece = pieces[k * pieces.size() / wanted];
+    thinned.insert(thinned.end(), piece.begin(), piece.end());
+  }
+  return thinned;
+}
+
 }  // namespace
 
 std::vector<Reading> Loop::GoodReadings(bool test) const {
@@ -68,9 +98,10 @@ std::vector<Reading> Loop::GoodReadings(bool test) const {
   return good;
 }
 
-RowChoice Loop::Choice() const {
+RowChoice Loop::Choice(bool all) const {
   RowChoice choice;
   choice.readings = GoodReadings(false);
+  if (!all) choice.readings = Thinned(choice.readings);
   choice.weights.noise = noise_;
   choice.weights.quantum = in_.quanta;
   choice.weights.weight = weight_;
@@ -79,7 +110,7 @@ RowChoice Loop::Choice() const {
 
 double Loop::NumPoses() const {
   std::set<int> poses;
-  for (const Reading& reading : GoodReadings(false)) {
+  for (const Reading& reading : Thinned(GoodReadings(false))) {
     poses.insert(poses_[static_cast<std::size_t>(reading.row_idx)]);
   }
   return static_cast<double>(poses.size());

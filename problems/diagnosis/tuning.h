@@ -16,6 +16,8 @@ struct Tuning {
   double most_outliers = 0.2;
   /// Repeats are put together where they leave at most this share of the rows.
   double repeats_share = 0.5;
+  /// Readings that are searched, evenly over a longer recording; the last fit uses all.
+  int most_searched = 3000;
   /// A stated sigma is doubted beyond this factor between it and the residuals' median.
   double doubtful_sigma = 3;
 
