@@ -41,7 +41,7 @@ struct Score {
 };
 
 std::string ClassOf(const PhysicsContext& context, const EffectRequest& request) {
-  return FindEffect(request.effect)->Place(context, request).effect_class;
+  return ToString(FindEffect(request.effect)->Place(context, request).effect_class);
 }
 
 /// Same effect at the same joint; instants and orders may differ a little.
@@ -82,7 +82,7 @@ Score Judge(const Scenario& scenario, const Draw& draw, const DiagnosisResult& d
   score.detected = d.misfit.p_value <= d.false_alarm;
   std::vector<const Finding*> physics;
   for (const Finding& finding : d.findings) {
-    if (finding.effect_class != "geometry") physics.push_back(&finding);
+    if (!finding.is_geometry) physics.push_back(&finding);
     score.findings += InstanceName(finding.effect) + "; ";
   }
   for (const HypothesisResult& h : d.hypotheses) {

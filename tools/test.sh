@@ -9,6 +9,7 @@ usage: tools/test.sh [--quick] [--slow] [--help]
 Installs what is missing, then checks in this order:
   format      clang-format would change no file
   layers      the #includes run one way
+  effects     no file but an effect's own knows it by name
   includes    each file includes what it uses of the standard library (cpplint)
   release     release build without warnings, and its tests
   tidy        clang-tidy has no finding
@@ -106,6 +107,7 @@ step setup bash tools/setup.sh || true
 if [ "$quick" = no ]; then
   step format bash tools/format.sh --check || true
   step layers python3 tools/check_layers.py || true
+  step effects python3 tools/check_effects.py || true
   step includes cpplint --quiet --recursive --filter=-,+build/include_what_you_use \
     core residuals problems tools tests || true
 fi

@@ -45,14 +45,14 @@ void ReadValues(YamlMap* map, bool required, EffectRequest* request) {
 }
 
 /// A setting's number, after an error 0.
-double ReadSetting(const std::string& key, const RobotModel& robot, YamlMap* map) {
-  if (const std::optional<WholeRange> range = WholeSetting(key, robot.num_joints())) {
+double ReadSetting(const EffectSetting& setting, const RobotModel& robot, YamlMap* map) {
+  if (const std::optional<WholeRange> range = WholeRangeOf(setting, robot.num_joints())) {
     int number = 0;
-    map->Read(key, &number, range->low, range->high);
+    map->Read(setting.name, &number, range->low, range->high);
     return number;
   }
   double number = 0;
-  map->Read(key, &number);
+  map->Read(setting.name, &number);
   return number;
 }
 
@@ -68,7 +68,7 @@ void ReadEffect(const YamlValue& item,
     map.AcceptAllKeys();
     return;
   }
-  const EffectDescription description = effect->Describe();
+  const EffectDescription& description = effect->Describe();
   EffectRequest request;
   request.effect = description.name;
   request.where = item.where();
@@ -76,8 +76,10 @@ void ReadEffect(const YamlValue& item,
   if (description.has_joint && map.RequireKey("joint")) {
     map.Read("joint", &request.joint, 1, std::max(robot.num_joints(), 1));
   }
-  for (const auto& [key, meaning] : description.settings) {
-    if (map.Has(key)) request.settings[key] = ReadSetting(key, robot, &map);
+  for (const EffectSetting& setting : description.settings) {
+    if (map.Has(setting.name)) {
+      request.settings[setting.name] = ReadSetting(setting, robot, &map);
+    }
   }
   ReadValues(&map, with_values, &request);
   request.held = !with_values && !request.values.empty();
@@ -121,7 +123,7 @@ void ReadDiagnosis(const YamlValue& value, DiagnosisSpec* diagnosis) {
   if (!effects->IsList()) return effects->Error("is neither 'all' nor a list of effects");
   for (const YamlValue& item : effects->List().value_or(std::vector<YamlValue>())) {
     if (const Effect* const effect = EffectNamed(item)) {
-      diagnosis->effects.push_back(effect->Describe().name);
+      diagnosis->effects.push_back(effect->name());
     }
   }
   if (effects->IsEmptyList()) effects->Error("names no effect; write 'all' or leave it out");

@@ -80,6 +80,7 @@ struct SeparatingPose {
 struct Finding {
   EffectRequest effect;
   std::string effect_class, location, driver;
+  bool is_geometry = false;  // a freedom that the problem file holds fixed, no physics
   std::vector<FoundParameter> parameters;
   std::string sentence;
   std::vector<std::string> cautions;  // sign, size, replication

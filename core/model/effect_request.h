@@ -12,7 +12,7 @@ namespace dhcal {
 /// Which effect of the library (core/physics/registry.h), where, and the numbers that fix its
 /// shape. Its parameters are estimated; its settings are not.
 struct EffectRequest {
-  std::string effect;                      // "gear_harmonic"
+  std::string effect;                      // a name of the library
   int joint = 0;                           // counts from 1; 0 = the effect has no joint
   std::map<std::string, double> settings;  // "order", "time_constant_s", ... in SI
   std::map<std::string, double> values;    // parameter -> value in SI: simulated, or held

@@ -39,20 +39,6 @@ EffectColumn TwistColumn(const PhysicsContext& context,
   return column;
 }
 
-std::vector<EffectRequest> EveryJoint(const PhysicsContext& context,
-                                      const std::string& effect,
-                                      bool revolute_only) {
-  std::vector<EffectRequest> requests;
-  for (int joint = 0; joint < context.num_joints(); ++joint) {
-    if (revolute_only && !context.revolute(joint)) continue;
-    EffectRequest request;
-    request.effect = effect;
-    request.joint = joint + 1;
-    requests.push_back(request);
-  }
-  return requests;
-}
-
 std::vector<EffectRequest> WithVariant(const Effect& effect,
                                        const PhysicsContext& context,
                                        std::vector<EffectRequest> requests,
@@ -76,11 +62,6 @@ bool IsConstant(const Eigen::VectorXd& driver) {
 }
 
 std::string JointName(int joint_from_1) { return fmt::format("joint {}", joint_from_1); }
-
-std::string CheckJoint(const PhysicsContext& context, const EffectRequest& request) {
-  if (request.joint >= 1 && request.joint <= context.num_joints()) return "";
-  return fmt::format("needs a joint from 1 to {}", context.num_joints());
-}
 
 std::string Quantity(const EffectValue& value, double unit_size, const std::string& unit) {
   const double shown = value.value / unit_size, sigma = value.sigma / unit_size;

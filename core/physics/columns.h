@@ -21,11 +21,6 @@ EffectColumn TwistColumn(const PhysicsContext& context,
                          double typical,
                          const std::function<Twist(int row_idx)>& twist);
 
-/// One request per revolute joint (or per joint), without settings.
-std::vector<EffectRequest> EveryJoint(const PhysicsContext& context,
-                                      const std::string& effect,
-                                      bool revolute_only = true);
-
 /// The requests and, where they are testable, the same with a setting at 1.
 std::vector<EffectRequest> WithVariant(const Effect& effect,
                                        const PhysicsContext& context,
@@ -40,9 +35,6 @@ inline int JointIndex(const EffectRequest& request) { return request.joint - 1; 
 
 /// "joint 2", "joints 4 and 5".
 std::string JointName(int joint_from_1);
-
-/// What is wrong with the joint of a request for an effect that needs one; "" when nothing.
-std::string CheckJoint(const PhysicsContext& context, const EffectRequest& request);
 
 /// "1.13 +- 0.05 urad per N m": two digits of sigma, in the unit whose size is `unit_size`.
 std::string Quantity(const EffectValue& value, double unit_size, const std::string& unit);

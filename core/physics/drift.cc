@@ -9,6 +9,8 @@
 namespace dhcal {
 namespace {
 
+constexpr char kTimeConstant[] = "time_constant_s";
+
 /// Parts of the recording's duration that are tried as time constants; 0 = a steady drift.
 constexpr double kTimeConstants[] = {0.05, 0.12, 0.3, 0.0};
 
@@ -24,8 +26,16 @@ bool HasTemperature(const PhysicsContext& c, int joint) {
 
 }  // namespace
 
+EffectSetting TimeConstantSetting() {
+  return Scanned(Number(kTimeConstant, "by the clock; 0 = steadily"), SettingScan::kTimeConstants);
+}
+
+Driver DriftDriver(const PhysicsContext& c, const EffectRequest& request) {
+  return {DriftByTime(c, request) ? DriverKind::kTime : DriverKind::kTemperature};
+}
+
 bool DriftByTime(const PhysicsContext& c, const EffectRequest& request) {
-  return request.settings.count("time_constant_s") > 0 || c.recording().temperature.rows() == 0;
+  return request.settings.count(kTimeConstant) > 0 || c.recording().temperature.rows() == 0;
 }
 
 std::string DriftNotTestable(const PhysicsContext& c, const EffectRequest& request, int joint) {
@@ -41,7 +51,7 @@ Eigen::VectorXd DriftProfile(const PhysicsContext& c, const EffectRequest& reque
     const Eigen::VectorXd temperature = Temperature(c, joint);
     return temperature.array() - temperature[0];
   }
-  const double constant = request.setting("time_constant_s", 0);
+  const double constant = request.setting(kTimeConstant, 0);
   if (constant <= 0) return c.drift_clock() / c.duration();
   return 1.0 - (-c.drift_clock().array() / constant).exp();
 }
@@ -56,14 +66,14 @@ std::vector<EffectRequest> DriftCandidates(const PhysicsContext& c,
     if (!c.has_time() || c.duration() <= 0) continue;
     for (const double part : kTimeConstants) {
       candidates.push_back(request);
-      candidates.back().settings["time_constant_s"] = part * c.duration();
+      candidates.back().settings[kTimeConstant] = part * c.duration();
     }
   }
   return candidates;
 }
 
 std::string DriftWords(const EffectRequest& request) {
-  const auto found = request.settings.find("time_constant_s");
+  const auto found = request.settings.find(kTimeConstant);
   if (found == request.settings.end()) return "";
   if (found->second <= 0) return " steadily over the recording";
   return fmt::format(" with a time constant of {:.3g} min", found->second / 60);

@@ -12,6 +12,12 @@ namespace dhcal {
 /// True if a request goes by the clock (setting time_constant_s, or no temperature column).
 bool DriftByTime(const PhysicsContext& context, const EffectRequest& request);
 
+/// The setting that makes it go by the clock.
+EffectSetting TimeConstantSetting();
+
+/// What drives a request's course.
+Driver DriftDriver(const PhysicsContext& context, const EffectRequest& request);
+
 /// Why the recording cannot show it; `joint` (from 0) chooses the temperature column.
 std::string DriftNotTestable(const PhysicsContext& context,
                              const EffectRequest& request,

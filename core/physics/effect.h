@@ -18,7 +18,11 @@
 #include <Eigen/Core>
 
 #include "core/model/effect_request.h"
+#include "core/model/parameter.h"
 #include "core/physics/context.h"
+#include "core/physics/driver.h"
+#include "core/physics/effect_class.h"
+#include "core/physics/setting.h"
 
 namespace dhcal {
 
@@ -40,28 +44,40 @@ struct EffectColumn {
   std::vector<SlotWeights> slots;
 };
 
-/// What the library says about an effect, the same for all robots.
+/// How often one joint may have an effect at once.
+enum class PerJoint {
+  kOne,         // settings are alternatives
+  kOfEachKind,  // once with each choice of settings
+  kManyLines    // lines of a spectrum that can be told apart
+};
+
+/// What the library says about an effect, the same for all robots. Nothing but this tells the rest
+/// of the program one effect from another: no other file knows an effect by its name.
 struct EffectDescription {
-  std::string name;                                           // "joint_compliance"
-  std::string summary;                                        // one sentence in plain words
-  std::string formula;                                        // "d theta_j = c tau_j"
-  std::string parameters;                                     // "compliance [rad/(N m)]"
-  std::vector<std::pair<std::string, std::string>> settings;  // {"order", "N, default 1"}
-  std::string needs;    // columns or keys that it needs; empty = joint angles suffice
-  std::string typical;  // size, with its source
-  bool has_joint = true;
+  std::string name;        // as problem files write it: "some_effect"
+  std::string summary;     // one sentence in plain words
+  std::string formula;     // "d theta_j = c tau_j"
+  std::string parameters;  // "compliance [rad/(N m)]"
+  std::vector<EffectSetting> settings;
+  std::string needs;       // columns or keys that it needs; empty = joint angles suffice
+  std::string typical;     // size, with its source
+  bool has_joint = false;  // a JointEffect
   /// False for what free geometry can always do: a diagnosis says how well it hides, no more.
   bool may_be_named = true;
   /// A free curve of the joint's angle: no candidate of its own, offered where a search finds more
   /// lines at a joint than few gears have.
   bool is_curve = false;
+  PerJoint per_joint = PerJoint::kOne;
+  /// The group of geometric parameters that it stands for where a problem file leaves them out;
+  /// nothing for physics.
+  std::optional<ParameterGroup> completes = std::nullopt;
 };
 
 /// Where an effect sits, what drives it, and which others it is easily taken for.
 struct EffectPlace {
-  std::string effect_class;  // "C1" ... "C10" of physics.md A.10, or "geometry"
-  std::string location;      // "joint 2", "link 2", "base", "tool", "sensor"
-  std::string driver;        // "gravity torque"
+  EffectClass effect_class = EffectClass::kGeometry;
+  std::string location;  // "joint 2", "link 2", "base", "tool", "sensor"
+  Driver driver;
 };
 
 /// A parameter as estimated.
@@ -82,9 +98,18 @@ struct WorkedExample {
 
 class Effect {
  public:
+  explicit Effect(EffectDescription description) : description_(std::move(description)) {}
+  Effect(const Effect&) = delete;
+  Effect& operator=(const Effect&) = delete;
   virtual ~Effect() = default;
 
-  virtual EffectDescription Describe() const = 0;
+  const EffectDescription& Describe() const { return description_; }
+  const std::string& name() const { return description_.name; }
+  /// A request of this effect without settings; `joint` from 1, 0 where it has none.
+  EffectRequest Request(int joint = 0) const;
+  /// Its setting of this name; null when it has none.
+  const EffectSetting* FindSetting(const std::string& setting) const;
+
   /// Why this recording cannot show the effect there; empty when it can.
   virtual std::string NotTestable(const PhysicsContext& context,
                                   const EffectRequest& request) const = 0;
@@ -103,8 +128,8 @@ class Effect {
                                                      const EffectRequest& /*request*/) const {
     return std::nullopt;
   }
-  /// The instances that a diagnosis tries, settings included.
-  virtual std::vector<EffectRequest> Candidates(const PhysicsContext& context) const = 0;
+  /// The instances that a diagnosis tries, settings included; here the effect itself.
+  virtual std::vector<EffectRequest> Candidates(const PhysicsContext& context) const;
   virtual EffectPlace Place(const PhysicsContext& context, const EffectRequest& request) const = 0;
   /// True if the joint angles and the payload alone say what it does: such an effect can be
   /// predicted at poses that were not recorded.
@@ -113,12 +138,20 @@ class Effect {
   virtual std::string Sentence(const EffectRequest& request,
                                const std::vector<EffectValue>& values) const = 0;
   virtual WorkedExample Example() const = 0;
+  /// How often per turn of its joint a request repeats; 1 for what does not repeat.
+  virtual double Order(const EffectRequest& /*request*/) const { return 1; }
+
+ private:
+  EffectDescription description_;
 };
 
-/// "joint_compliance.2.compliance", "tool_step.x".
+EffectRequest WithSetting(EffectRequest request, const std::string& setting, double value);
+EffectRequest WithValue(EffectRequest request, const std::string& parameter, double value);
+
+/// "some_effect.2.compliance", "other_effect.x".
 std::string ParameterName(const EffectRequest& request, const std::string& parameter);
 
-/// "gear_harmonic at joint 1 (order 2)".
+/// "some_effect at joint 1 (order 2)".
 std::string InstanceName(const EffectRequest& request);
 
 }  // namespace dhcal

@@ -1,26 +1,34 @@
 #include "core/physics/frame_effect.h"
 
-#include <utility>
+#include <string>
 
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 #include "core/kinematics/slots.h"
 #include "core/physics/columns.h"
 
 namespace dhcal {
-FrameEffect::FrameEffect(std::string name, std::string frame, std::string summary)
-    : name_(std::move(name)), frame_(std::move(frame)), summary_(std::move(summary)) {}
+namespace {
 
-EffectDescription FrameEffect::Describe() const {
-  EffectDescription d{name_,
-                      summary_ + " (geometry, not physics)",
-                      fmt::format("{0}_xyz += (x, y, z), {0}_rxyz += (rx, ry, rz)", frame_),
-                      "x, y, z [m], rx, ry, rz [rad]",
-                      {},
-                      "",
-                      "0.1-10 mm [physics.md X1]"};
-  d.has_joint = false;
+EffectDescription About(const std::string& name, ParameterGroup frame, const std::string& summary) {
+  EffectDescription d{
+      name,
+      summary + " (geometry, not physics)",
+      fmt::format("{0}_xyz += (x, y, z), {0}_rxyz += (rx, ry, rz)", ToString(frame)),
+      "x, y, z [m], rx, ry, rz [rad]",
+      {},
+      "",
+      "0.1-10 mm [physics.md X1]"};
+  d.completes = frame;
   return d;
+}
+
+}  // namespace
+
+FrameEffect::FrameEffect(const std::string& name, ParameterGroup frame, const std::string& summary)
+    : Effect(About(name, frame, summary)), frame_(frame), summary_(summary) {
+  CHECK(frame == ParameterGroup::kBase || frame == ParameterGroup::kTool);
 }
 
 std::string FrameEffect::NotTestable(const PhysicsContext& /*context*/,
@@ -32,7 +40,8 @@ std::vector<EffectColumn> FrameEffect::Columns(const PhysicsContext& context,
                                                const EffectRequest& /*request*/) const {
   std::vector<EffectColumn> columns;
   for (int k = 0; k < SlotLayout::kPerFrame; ++k) {
-    const int slot = frame_ == "base" ? context.slots().base(k) : context.slots().tool(k);
+    const int slot =
+        frame_ == ParameterGroup::kBase ? context.slots().base(k) : context.slots().tool(k);
     columns.push_back(SlotColumn(SlotLayout::ComponentName(k),
                                  k < 3 ? "m" : "rad",
                                  1e-3,
@@ -48,7 +57,7 @@ std::vector<EffectRequest> FrameEffect::Candidates(const PhysicsContext& /*conte
 
 EffectPlace FrameEffect::Place(const PhysicsContext& /*context*/,
                                const EffectRequest& /*request*/) const {
-  return {"geometry", frame_, "constant"};
+  return {EffectClass::kGeometry, ToString(frame_), {DriverKind::kConstant}};
 }
 
 std::string FrameEffect::Sentence(const EffectRequest& /*request*/,
@@ -65,13 +74,7 @@ std::string FrameEffect::Sentence(const EffectRequest& /*request*/,
 }
 
 WorkedExample FrameEffect::Example() const {
-  WorkedExample example;
-  example.request.effect = name_;
-  example.request.values["z"] = 2e-3;
-  example.row = 1;
-  example.slot = frame_ + "_z";
-  example.expected = 2e-3;
-  return example;
+  return {WithValue(Request(), "z", 2e-3), 1, std::string(ToString(frame_)) + "_z", 2e-3};
 }
 
 }  // namespace dhcal

@@ -11,10 +11,9 @@ namespace dhcal {
 
 class FrameEffect final : public Effect {
  public:
-  /// `frame`: "base" or "tool"; `summary`: what it means when the constants are not zero.
-  FrameEffect(std::string name, std::string frame, std::string summary);
+  /// `frame`: kBase or kTool; `summary`: what it means when the constants are not zero.
+  FrameEffect(const std::string& name, ParameterGroup frame, const std::string& summary);
 
-  EffectDescription Describe() const override;
   std::string NotTestable(const PhysicsContext& context,
                           const EffectRequest& request) const override;
   std::vector<EffectColumn> Columns(const PhysicsContext& context,
@@ -26,7 +25,8 @@ class FrameEffect final : public Effect {
   WorkedExample Example() const override;
 
  private:
-  std::string name_, frame_, summary_;
+  ParameterGroup frame_;
+  std::string summary_;
 };
 
 }  // namespace dhcal

@@ -1,6 +1,6 @@
 #include "core/physics/registry.h"
 
-#include <algorithm>
+#include <unordered_map>
 
 #include <glog/logging.h>
 
@@ -34,6 +34,19 @@ namespace dhcal {
 DHCAL_EFFECT_LIST(DHCAL_DECLARE)
 #undef DHCAL_DECLARE
 
+namespace {
+
+/// The effect of the library that a predicate is true for.
+template <typename Predicate>
+const Effect& Only(Predicate predicate) {
+  for (const Effect* const effect : AllEffects()) {
+    if (predicate(*effect)) return *effect;
+  }
+  LOG(FATAL) << "the library lacks an effect that the diagnosis needs";
+}
+
+}  // namespace
+
 const std::vector<const Effect*>& AllEffects() {
 #define DHCAL_POINTER(name) &name(),
   static const std::vector<const Effect*> effects = {DHCAL_EFFECT_LIST(DHCAL_POINTER)};
@@ -42,33 +55,43 @@ const std::vector<const Effect*>& AllEffects() {
 }
 
 const Effect* FindEffect(const std::string& name) {
+  static const auto* const by_name = [] {
+    auto* const map = new std::unordered_map<std::string, const Effect*>();
+    for (const Effect* const effect : AllEffects()) map->emplace(effect->name(), effect);
+    return map;
+  }();
+  const auto found = by_name->find(name);
+  return found == by_name->end() ? nullptr : found->second;
+}
+
+const Effect& CurveEffect() {
+  return Only([](const Effect& effect) { return effect.Describe().is_curve; });
+}
+
+const Effect& LineEffect() {
+  return Only(
+      [](const Effect& effect) { return effect.Describe().per_joint == PerJoint::kManyLines; });
+}
+
+EffectRequest Line(int joint, double order) {
+  for (const EffectSetting& setting : LineEffect().Describe().settings) {
+    if (setting.scan != SettingScan::kOrders) continue;
+    return WithSetting(LineEffect().Request(joint), setting.name, order);
+  }
+  LOG(FATAL) << LineEffect().name() << " has no order";
+}
+
+const Effect* EffectThatCompletes(ParameterGroup group) {
   for (const Effect* const effect : AllEffects()) {
-    if (effect->Describe().name == name) return effect;
+    if (effect->Describe().completes == group) return effect;
   }
   return nullptr;
 }
 
-const Effect& CurveEffect() {
-  for (const Effect* const effect : AllEffects()) {
-    if (effect->Describe().is_curve) return *effect;
-  }
-  LOG(FATAL) << "the library has no free curve";
-}
-
 std::vector<std::string> EffectNames() {
   std::vector<std::string> names;
-  for (const Effect* const effect : AllEffects()) names.push_back(effect->Describe().name);
+  for (const Effect* const effect : AllEffects()) names.push_back(effect->name());
   return names;
-}
-
-std::optional<WholeRange> WholeSetting(const std::string& setting, int num_joints) {
-  constexpr int kMostRows = 10'000'000;
-  if (setting == "driver_joint") return WholeRange{1, std::max(num_joints, 1)};
-  if (setting == "at_row") return WholeRange{1, kMostRows};
-  for (const char* const flag : {"flank", "measured_torque", "free_masses"}) {
-    if (setting == flag) return WholeRange{0, 1};
-  }
-  return std::nullopt;
 }
 
 std::vector<EffectColumn> EffectColumns(const PhysicsContext& context,

@@ -3,7 +3,6 @@
 #ifndef DHCAL_CORE_PHYSICS_REGISTRY_H_
 #define DHCAL_CORE_PHYSICS_REGISTRY_H_
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,16 +19,15 @@ const Effect* FindEffect(const std::string& name);
 /// The library's free curve of a joint's angle.
 const Effect& CurveEffect();
 
+/// The effect that a line of the spectrum of a joint's angle is, and a request of it.
+const Effect& LineEffect();
+EffectRequest Line(int joint, double order);
+
+/// The effect that stands for a group of geometric parameters where a file leaves them out; null
+/// where there is none.
+const Effect* EffectThatCompletes(ParameterGroup group);
+
 std::vector<std::string> EffectNames();
-
-struct WholeRange {
-  int low = 0;
-  int high = 0;
-};
-
-/// What a setting of this name may be where it counts something or switches it on (1) or off (0);
-/// nothing where it may be any number.
-std::optional<WholeRange> WholeSetting(const std::string& setting, int num_joints);
 
 /// Columns of a request's effect; the effect must exist and be testable.
 std::vector<EffectColumn> EffectColumns(const PhysicsContext& context,

@@ -17,6 +17,13 @@ double Instant(const EffectRequest& request) {
 
 }  // namespace
 
+std::vector<EffectSetting> InstantSettings() {
+  constexpr int kMostRows = 10'000'000;
+  return {
+      Scanned(Number("at_s", "instant on the clock"), SettingScan::kInstants),
+      Scanned(Whole("at_row", "instant without a clock", 1, kMostRows), SettingScan::kInstants)};
+}
+
 const char* StepSetting(const PhysicsContext& c) { return c.has_one_clock() ? "at_s" : "at_row"; }
 
 std::string StepNotTestable(const PhysicsContext& c, const EffectRequest& request) {

@@ -9,8 +9,11 @@
 
 namespace dhcal {
 
-/// The setting that says when: seconds after the first row (at_s) with a clock, else the number of
-/// rows before it (at_row).
+/// The settings that say when, one of which a request has.
+std::vector<EffectSetting> InstantSettings();
+
+/// The one that a recording goes by: seconds after the first row (at_s) with a clock, else the
+/// number of rows before it (at_row).
 const char* StepSetting(const PhysicsContext& context);
 
 /// Why the recording cannot show a step at the request's instant; "" when it can.

@@ -140,9 +140,8 @@ bool OnlyGeometryLeftOut(const Result& result) {
     return false;
   }
   const std::vector<Finding>& findings = result.diagnosis->findings;
-  return std::all_of(findings.begin(), findings.end(), [](const Finding& finding) {
-    return finding.effect_class == "geometry";
-  });
+  return std::all_of(
+      findings.begin(), findings.end(), [](const Finding& finding) { return finding.is_geometry; });
 }
 
 /// For which parameters the intervals hold. They know of noise and tolerances: what the model

@@ -20,22 +20,22 @@ std::vector<Completion> MissingCompletions(const Calibration& user, const Calibr
   std::set<std::string> estimated;
   for (const Parameter& p : user.parameters) estimated.insert(p.name);
   std::vector<Completion> completions;
-  Completion base, tool;
-  base.request.effect = "base_frame";
-  tool.request.effect = "tool_offset";
   for (const Parameter& p : complete.parameters) {
     if (estimated.count(p.name) > 0) continue;
-    if (p.group == ParameterGroup::kBase) base.parameters.push_back(p);
-    if (p.group == ParameterGroup::kTool) tool.parameters.push_back(p);
-    if (p.group != ParameterGroup::kBeta) continue;
-    Completion tilt;
-    tilt.request.effect = "axis_tilt";
-    tilt.request.joint = p.slot / SlotLayout::kPerJoint + 1;
-    tilt.parameters.push_back(p);
-    completions.push_back(tilt);
+    const Effect* const effect = EffectThatCompletes(p.group);
+    if (effect == nullptr) continue;
+    const bool of_joint = effect->Describe().has_joint;
+    const EffectRequest request =
+        effect->Request(of_joint ? p.slot / SlotLayout::kPerJoint + 1 : 0);
+    const auto same = [&](const Completion& known) { return known.request.SameAs(request); };
+    auto completion = std::find_if(completions.begin(), completions.end(), same);
+    if (completion == completions.end()) {
+      completions.emplace_back();
+      completion = completions.end() - 1;
+      completion->request = request;
+    }
+    completion->parameters.push_back(p);
   }
-  if (!base.parameters.empty()) completions.push_back(base);
-  if (!tool.parameters.empty()) completions.push_back(tool);
   return completions;
 }
 
@@ -72,9 +72,10 @@ Finding DescribeCompletion(const Completion& completion,
   const Effect& effect = *FindEffect(completion.request.effect);
   const PhysicsContext context = c.Context();
   const EffectPlace place = effect.Place(context, completion.request);
-  finding.effect_class = place.effect_class;
+  finding.effect_class = ToString(place.effect_class);
+  finding.is_geometry = true;
   finding.location = place.location;
-  finding.driver = place.driver;
+  finding.driver = DriverWords(place.driver, completion.request.joint);
   finding.p_value = p_value;
   const std::vector<EffectColumn> columns = effect.Columns(context, completion.request);
   std::vector<EffectValue> values;

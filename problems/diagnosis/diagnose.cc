@@ -116,10 +116,10 @@ void Populate(const ProblemSpec& spec, HypothesisSpace* space, DiagnosisResult* 
       }
     }
     if (effect->Describe().is_curve) continue;  // offered by the search
-    if (candidates.empty() && effect->Place(context, {}).effect_class != "geometry") {
+    if (candidates.empty() && !effect->Describe().completes) {
       const std::string needs = effect->Describe().needs;
       d->not_testable.push_back(
-          {effect->Describe().name,
+          {effect->name(),
            needs.empty() ? "no joint or instant here that it could be at" : "needs " + needs});
     }
   }

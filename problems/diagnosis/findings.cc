@@ -13,7 +13,6 @@
 #include "problems/diagnosis/clean_rows.h"
 #include "problems/diagnosis/design_rows.h"
 #include "problems/diagnosis/projection.h"
-#include "problems/diagnosis/spectrum.h"
 #include "problems/fit_analysis.h"
 #include "problems/noise.h"
 
@@ -211,7 +210,7 @@ bool TestRowsSpeakAgainst(const CompleteFit& before, const CompleteFit& after) {
 }
 
 bool OneFinding(const EffectRequest& a, const EffectRequest& b) {
-  const bool lines = a.effect == kLineEffect && b.effect == a.effect && b.joint == a.joint;
+  const bool lines = a.effect == LineEffect().name() && b.effect == a.effect && b.joint == a.joint;
   return lines || a.SameAs(b);
 }
 
@@ -284,9 +283,9 @@ DescribedFindings DescribeFindings(const std::vector<EffectRequest>& effects,
     }
     finding.effect = effects[group.front()];
     const EffectPlace place = FindEffect(finding.effect.effect)->Place(context, finding.effect);
-    finding.effect_class = place.effect_class;
+    finding.effect_class = ToString(place.effect_class);
     finding.location = place.location;
-    finding.driver = place.driver;
+    finding.driver = DriverWords(place.driver, finding.effect.joint);
     const VectorXd fitted_without = rows_after.Fitted(own);
     const VectorXd left_out_without = rows_after.Residuals(own);
     finding.rms_train_before = Rms(after, rows_after, fitted_without);

@@ -13,11 +13,12 @@
 namespace dhcal {
 namespace {
 
-/// Effect, joint and the settings that are not scanned.
-std::string FamilyOf(const EffectRequest& request) {
+/// Effect, joint and the settings, without the values of those that are refined.
+std::string FamilyOf(const Effect& effect, const EffectRequest& request) {
   std::string family = fmt::format("{}.{}", request.effect, request.joint);
   for (const auto& [key, value] : request.settings) {
-    if (key == "at_s" || key == "at_row" || key == "time_constant_s" || key == "soft_torque_Nm") {
+    const EffectSetting* const setting = effect.FindSetting(key);
+    if (setting != nullptr && setting->is_refined()) {
       family += "." + key;
     } else {
       family += fmt::format(".{}={:g}", key, value);
@@ -59,11 +60,12 @@ int HypothesisSpace::AddEffect(const EffectRequest& request, bool in_maximum) {
   CHECK(effect != nullptr);
   Hypothesis h;
   h.named = true;
+  h.effect = effect;
   h.request = request;
   h.place = effect->Place(context_, request);
-  h.family = FamilyOf(request);
-  h.may_be_named = effect->Describe().may_be_named;
-  h.in_maximum = in_maximum && h.may_be_named;
+  h.driver = h.place.driver;
+  h.family = FamilyOf(*effect, request);
+  h.in_maximum = in_maximum && effect->Describe().may_be_named;
   const std::vector<EffectColumn> columns = effect->Columns(context_, request);
   h.columns = AddColumns(Raw(columns));
   const double prior = columns.front().prior_sigma / columns.front().typical;
@@ -78,7 +80,7 @@ int HypothesisSpace::AddEffect(const EffectRequest& request, bool in_maximum) {
     Hypothesis shape;
     shape.in_maximum = false;
     shape.slot = h.place.location;
-    shape.driver = "shape of " + request.effect;
+    shape.driver_name = "shape of " + request.effect;
     shape.columns = AddColumns(Raw(errors));
     all_.push_back(shape);
     all_[static_cast<std::size_t>(idx)].shape_block = idx + 1;
@@ -93,6 +95,8 @@ int HypothesisSpace::AddMap(const MapBlock& block) {
   }
   Hypothesis h;
   h.slot = block.slot;
+  h.slot_joint = block.slot_joint;
+  h.driver_name = block.driver_name;
   h.driver = block.driver;
   h.driver_values = block.driver_values;
   h.knots = block.knots;

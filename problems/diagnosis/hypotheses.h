@@ -19,16 +19,18 @@ namespace dhcal {
 /// One block of columns.
 struct Hypothesis {
   bool named = false;
-  EffectRequest request;          // named
-  EffectPlace place;              // named
-  int shape_block = -1;           // named: nuisance block of its shape errors, or -1
-  std::string slot, driver;       // anonymous: "theta3", "q2"
-  Eigen::VectorXd driver_values;  // anonymous, per recording row; empty = several drivers
-  std::vector<double> knots;      // anonymous, of a curve
+  const Effect* effect = nullptr;  // named
+  EffectRequest request;           // named
+  EffectPlace place;               // named
+  int shape_block = -1;            // named: nuisance block of its shape errors, or -1
+  std::string slot, driver_name;   // anonymous: "theta3", "q2"
+  int slot_joint = 0;              // anonymous: whose angle the slot is, from 1; 0 = none's
+  Driver driver;                   // of either kind
+  Eigen::VectorXd driver_values;   // anonymous, per recording row; empty = several drivers
+  std::vector<double> knots;       // anonymous, of a curve
   ColumnRange columns;
   double prior_variance = 0;  // of a coefficient in units of its column; 0 = none
   bool in_maximum = true;
-  bool may_be_named = true;  // named
   /// Step instants, orders, time constants of one family differ only in settings.
   std::string family;
 
@@ -36,9 +38,16 @@ struct Hypothesis {
   bool is_curve() const { return prior_variance > 0; }
 };
 
+/// True for a name that is a function of its own joint's angle.
+inline bool IsOfOwnAngle(const Hypothesis& h) {
+  return h.named && h.driver == Driver{DriverKind::kJointAngle, h.request.joint};
+}
+
 /// Columns of an anonymous block before they become rows.
 struct MapBlock {
-  std::string slot, driver;
+  std::string slot, driver_name;
+  int slot_joint = 0;
+  Driver driver;
   Eigen::VectorXd driver_values;
   std::vector<double> knots;
   std::vector<std::vector<SlotWeights>> columns;

@@ -22,8 +22,9 @@ constexpr int kMostRuns = 12;
 constexpr int kFewRows = 60;  // with fewer rows, curves of fewer knots
 
 /// A driver and the functions of it that are tried.
-struct Driver {
+struct DrivingFunctions {
   std::string name;
+  Driver driver;
   VectorXd values;  // empty: several
   std::vector<double> knots;
   Eigen::MatrixXd functions;  // rows x functions
@@ -42,18 +43,18 @@ std::vector<double> Knots(const VectorXd& values, int count) {
   return knots;
 }
 
-Driver Curve(std::string name, const VectorXd& values, int knots) {
-  Driver driver{std::move(name), values, Knots(values, knots), {}};
+DrivingFunctions Curve(std::string name, Driver of, const VectorXd& values, int knots) {
+  DrivingFunctions driver{std::move(name), of, values, Knots(values, knots), {}};
   driver.functions = Hats(values, driver.knots);
   return driver;
 }
 
 /// Linear and square of a standardised value: for drivers that take few values.
-Driver Powers(std::string name, const VectorXd& values, int powers) {
+DrivingFunctions Powers(std::string name, Driver of, const VectorXd& values, int powers) {
   const double mean = values.mean();
   const VectorXd centred = values.array() - mean;
   const double spread = std::max(std::sqrt(centred.array().square().mean()), 1e-300);
-  Driver driver{std::move(name), values, Knots(values, kKnots), {}};
+  DrivingFunctions driver{std::move(name), of, values, Knots(values, kKnots), {}};
   driver.functions.resize(values.size(), powers);
   for (int k = 0; k < powers; ++k) {
     driver.functions.col(k) = (centred / spread).array().pow(k + 1).matrix();
@@ -61,10 +62,13 @@ Driver Powers(std::string name, const VectorXd& values, int powers) {
   return driver;
 }
 
-MapBlock OnSlots(const std::string& name, const std::vector<int>& slots, const Driver& driver) {
+MapBlock OnSlots(const std::string& name,
+                 const std::vector<int>& slots,
+                 const DrivingFunctions& driver) {
   MapBlock block;
   block.slot = name;
-  block.driver = driver.name;
+  block.driver_name = driver.name;
+  block.driver = driver.driver;
   block.driver_values = driver.values;
   block.knots = driver.knots;
   for (const int slot : slots) {
@@ -76,50 +80,61 @@ MapBlock OnSlots(const std::string& name, const std::vector<int>& slots, const D
 }
 
 /// Drivers that every slot is tried with.
-std::vector<Driver> CommonDrivers(const PhysicsContext& c) {
+std::vector<DrivingFunctions> CommonDrivers(const PhysicsContext& c) {
   const Recording& rec = c.recording();
-  std::vector<Driver> drivers;
-  const auto add = [&](const std::string& name, const VectorXd& values) {
-    if (!IsConstant(values)) drivers.push_back(Powers(name, values, 2));
+  std::vector<DrivingFunctions> drivers;
+  const auto add = [&](const std::string& name, DriverKind kind, const VectorXd& values) {
+    if (!IsConstant(values)) drivers.push_back(Powers(name, {kind}, values, 2));
   };
   if (!IsConstant(c.clock())) {
-    drivers.push_back(Curve(c.has_one_clock() ? "time" : "order of the rows", c.clock(), kKnots));
+    drivers.push_back(Curve(
+        c.has_one_clock() ? "time" : "order of the rows", {DriverKind::kTime}, c.clock(), kKnots));
   }
   VectorXd payload(c.num_rows());
   for (int row = 0; row < c.num_rows(); ++row) payload[row] = c.payload(row);
-  add("payload", payload);
+  add("payload", DriverKind::kPayload, payload);
   for (Eigen::Index k = 0; k < rec.temperature.cols(); ++k) {
     add(rec.temperature.cols() == 1 ? "temperature" : fmt::format("temperature {}", k + 1),
+        DriverKind::kTemperature,
         rec.temperature.col(k));
   }
-  for (const ExtraColumn& column : rec.extra) add("column " + column.name, column.values);
+  for (const ExtraColumn& column : rec.extra)
+    add("column " + column.name, DriverKind::kColumn, column.values);
   return drivers;
 }
 
 /// Drivers of one joint's slot only.
-std::vector<Driver> OwnDrivers(const PhysicsContext& c, int joint, int own_knots) {
-  std::vector<Driver> drivers;
+std::vector<DrivingFunctions> OwnDrivers(const PhysicsContext& c, int joint, int own_knots) {
+  std::vector<DrivingFunctions> drivers;
   const Recording& rec = c.recording();
-  drivers.push_back(Curve(fmt::format("q{}", joint + 1), c.q(joint), own_knots));
+  const auto of = [&](DriverKind kind) { return Driver{kind, joint + 1}; };
+  drivers.push_back(
+      Curve(fmt::format("q{}", joint + 1), of(DriverKind::kJointAngle), c.q(joint), own_knots));
   const VectorXd direction = c.direction().col(joint);
-  if (!IsConstant(direction)) drivers.push_back(Powers("approach direction", direction, 1));
+  if (!IsConstant(direction))
+    drivers.push_back(
+        Powers("approach direction", of(DriverKind::kApproachDirection), direction, 1));
   if (rec.speed.rows() > 0 && !IsConstant(rec.speed.col(joint))) {
-    drivers.push_back(Powers("joint speed", rec.speed.col(joint), 2));
+    drivers.push_back(Powers("joint speed", of(DriverKind::kJointSpeed), rec.speed.col(joint), 2));
   }
   if (rec.torque.rows() > 0 && !IsConstant(rec.torque.col(joint))) {
-    drivers.push_back(Powers("measured torque", rec.torque.col(joint), 3));
+    drivers.push_back(
+        Powers("measured torque", of(DriverKind::kMeasuredTorque), rec.torque.col(joint), 3));
   }
   if (!c.robot().links.empty() && GravityLoads(c, joint)) {
-    drivers.push_back(
-        Powers("gravity torque", GravityTorque(c, MassCases(c, joint).front(), joint), 3));
+    drivers.push_back(Powers("gravity torque",
+                             of(DriverKind::kGravityTorque),
+                             GravityTorque(c, MassCases(c, joint).front(), joint),
+                             3));
   }
   return drivers;
 }
 
 /// All products of two moving joints' angles: interactions that no function of one angle describes.
-Driver Products(const PhysicsContext& c) {
-  Driver driver;
+DrivingFunctions Products(const PhysicsContext& c) {
+  DrivingFunctions driver;
   driver.name = "products of joint angles";
+  driver.driver = {DriverKind::kProductOfAngles};
   std::vector<int> moving;
   for (int joint = 0; joint < c.num_joints(); ++joint) {
     if (c.moves(joint)) moving.push_back(joint);
@@ -147,8 +162,9 @@ MapBlock Warp(const PhysicsContext& c) {
   for (int i = 0; i < 3; ++i) {
     if (extent[i] < kFlat * extent.maxCoeff()) p.row(i).setZero();
   }
-  Driver driver;
+  DrivingFunctions driver;
   driver.name = "position";
+  driver.driver = {DriverKind::kPosition};
   driver.functions.resize(c.num_rows(), 16);
   Eigen::Index col = 0;
   for (int i = 0; i < 3; ++i) {
@@ -168,8 +184,9 @@ std::vector<MapBlock> Runs(const PhysicsContext& c,
                            const std::vector<std::pair<std::string, std::vector<int>>>& frames) {
   const auto num_runs = static_cast<int>(c.recording().run_names.size());
   if (num_runs < 2 || num_runs > kMostRuns) return {};
-  Driver driver;
+  DrivingFunctions driver;
   driver.name = "run";
+  driver.driver = {DriverKind::kRun};
   driver.functions.setZero(c.num_rows(), num_runs - 1);
   for (int row = 0; row < c.num_rows(); ++row) {
     const int run = c.recording().run(row);
@@ -208,32 +225,37 @@ std::vector<MapBlock> MapBlocks(const PhysicsContext& c) {
       {"base", {slots.base(0), slots.base(1), slots.base(2)}},
       {"tool", {slots.tool(0), slots.tool(1), slots.tool(2)}}};
   const int own_knots = c.num_rows() < kFewRows ? 8 : kOwnJointKnots;
-  const std::vector<Driver> common = CommonDrivers(c);
-  const Driver products = Products(c);
-  std::vector<Driver> angles;
+  const std::vector<DrivingFunctions> common = CommonDrivers(c);
+  const DrivingFunctions products = Products(c);
+  std::vector<DrivingFunctions> angles;
   for (int joint = 0; joint < c.num_joints(); ++joint) {
     if (!c.moves(joint)) continue;
-    angles.push_back(Curve(fmt::format("q{}", joint + 1), c.q(joint), kKnots));
+    angles.push_back(Curve(
+        fmt::format("q{}", joint + 1), {DriverKind::kJointAngle, joint + 1}, c.q(joint), kKnots));
   }
   std::vector<MapBlock> blocks;
   for (int joint = 0; joint < c.num_joints(); ++joint) {
     const int slot = c.joint_slot(joint);
     const std::string name = slots.Name(slot);
-    const std::string own = fmt::format("q{}", joint + 1);
+    const std::size_t first = blocks.size();
     if (c.moves(joint)) {
-      for (const Driver& driver : OwnDrivers(c, joint, own_knots)) {
+      for (const DrivingFunctions& driver : OwnDrivers(c, joint, own_knots)) {
         blocks.push_back(OnSlots(name, {slot}, driver));
       }
     }
-    for (const Driver& driver : angles) {
-      if (driver.name != own) blocks.push_back(OnSlots(name, {slot}, driver));
+    for (const DrivingFunctions& driver : angles) {
+      if (driver.driver.joint != joint + 1) blocks.push_back(OnSlots(name, {slot}, driver));
     }
-    for (const Driver& driver : common) blocks.push_back(OnSlots(name, {slot}, driver));
+    for (const DrivingFunctions& driver : common) blocks.push_back(OnSlots(name, {slot}, driver));
     if (products.functions.cols() > 0) blocks.push_back(OnSlots(name, {slot}, products));
+    if (!c.revolute(joint)) continue;
+    for (std::size_t k = first; k < blocks.size(); ++k) blocks[k].slot_joint = joint + 1;
   }
   for (const auto& [name, frame_slots] : frames) {
-    for (const Driver& driver : angles) blocks.push_back(OnSlots(name, frame_slots, driver));
-    for (const Driver& driver : common) blocks.push_back(OnSlots(name, frame_slots, driver));
+    for (const DrivingFunctions& driver : angles)
+      blocks.push_back(OnSlots(name, frame_slots, driver));
+    for (const DrivingFunctions& driver : common)
+      blocks.push_back(OnSlots(name, frame_slots, driver));
   }
   blocks.push_back(Warp(c));
   for (MapBlock& block : Runs(c, frames)) blocks.push_back(std::move(block));

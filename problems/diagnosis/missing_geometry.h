@@ -14,10 +14,10 @@ namespace dhcal {
 /// Share of the false-alarm rate that these tests may spend; the rest is the search's.
 constexpr double kShareOfGeometry = 0.2;
 
-/// Tests axis_tilt, base_frame and tool_offset, as far as the file leaves them out, at the file's
-/// own geometry fitted together with the physics found (`diagnosis->model`); adds a finding for
-/// each that is needed, before the physics, with its size from `joint`: the complete geometry
-/// fitted with that physics. `readings`: those to judge by, outliers excluded.
+/// Tests the frames and tilts that complete the geometry, as far as the file leaves them out, at
+/// the file's own geometry fitted together with the physics found (`diagnosis->model`); adds a
+/// finding for each that is needed, before the physics, with its size from `joint`: the complete
+/// geometry fitted with that physics. `readings`: those to judge by, outliers excluded.
 void AddMissingGeometry(const ProblemSpec& spec,
                         const Recording& recording,
                         const Result& identified,

@@ -9,6 +9,7 @@
 #include <boost/math/tools/minima.hpp>
 
 #include "core/base/units.h"
+#include "core/physics/registry.h"
 #include "problems/diagnosis/spectrum.h"
 
 namespace dhcal {
@@ -16,13 +17,16 @@ namespace {
 
 constexpr int kBits = 20;
 constexpr std::size_t kMostInstants = 200;
-constexpr double kTorqueRange = 1.7;  // half way to the neighbouring candidates
+// A time constant is looked for from a fiftieth of the recording's duration to twice it.
+constexpr double kShortest = 0.02, kLongest = 2.0;
 
-std::string ScannedKey(const EffectRequest& request) {
-  for (const char* const key : {"at_s", "at_row", "time_constant_s", "soft_torque_Nm"}) {
-    if (request.settings.count(key) > 0) return key;
+/// The setting of a request that is refined; null where it has none.
+const EffectSetting* RefinedSetting(const EffectRequest& request) {
+  const Effect& effect = *FindEffect(request.effect);
+  for (const EffectSetting& setting : effect.Describe().settings) {
+    if (setting.is_refined() && request.settings.count(setting.name) > 0) return &setting;
   }
-  return "";
+  return nullptr;
 }
 
 /// Every instant between two rows, thinned to a number.
@@ -35,12 +39,13 @@ std::vector<double> Instants(const PhysicsContext& c) {
 
 }  // namespace
 
-bool HasScannedSetting(const EffectRequest& request) { return !ScannedKey(request).empty(); }
+bool HasScannedSetting(const EffectRequest& request) { return RefinedSetting(request) != nullptr; }
 
 EffectRequest RefineSetting(const HypothesisSpace& space,
                             const EffectRequest& request,
                             const Eigen::MatrixXd& extra) {
-  const std::string key = ScannedKey(request);
+  const EffectSetting& scanned = *RefinedSetting(request);
+  const std::string& key = scanned.name;
   EffectRequest best = request;
   double most = space.Removes(request, extra);
   const auto consider = [&](double setting) {
@@ -61,15 +66,14 @@ EffectRequest RefineSetting(const HypothesisSpace& space,
         kBits / 2);
     consider(std::exp(found.first));
   };
-  if (key == "time_constant_s") {
+  const double at = request.settings.at(key);
+  if (scanned.scan == SettingScan::kTimeConstants) {
     const double duration = space.context().duration();
-    if (request.settings.at(key) <= 0) return request;
-    search_between(0.02 * duration, 2.0 * duration);
+    if (at > 0) search_between(kShortest * duration, kLongest * duration);
     return best;
   }
-  if (key == "soft_torque_Nm") {
-    search_between(request.settings.at(key) / kTorqueRange,
-                   request.settings.at(key) * kTorqueRange);
+  if (scanned.scan == SettingScan::kBetweenCandidates) {
+    search_between(at / scanned.scan_factor, at * scanned.scan_factor);
     return best;
   }
   // Instants: coarse over all, then every one around the best.
@@ -77,8 +81,8 @@ EffectRequest RefineSetting(const HypothesisSpace& space,
   const std::size_t stride = std::max<std::size_t>(1, times.size() / kMostInstants);
   for (std::size_t k = 1; k + 1 < times.size(); k += stride) consider(times[k]);
   if (stride > 1) {
-    const auto at = std::lower_bound(times.begin(), times.end(), best.settings.at(key));
-    const auto middle = static_cast<std::size_t>(at - times.begin());
+    const auto found = std::lower_bound(times.begin(), times.end(), best.settings.at(key));
+    const auto middle = static_cast<std::size_t>(found - times.begin());
     const std::size_t first = middle > stride ? middle - stride : 1;
     for (std::size_t k = first; k < std::min(middle + stride, times.size()); ++k) {
       consider(times[k]);
@@ -98,9 +102,7 @@ double RefineOrder(const HypothesisSpace& space,
                    const Eigen::MatrixXd& extra) {
   const double half = 0.5 * OrderResolution(space.context(), request.joint - 1);
   const auto lost = [&](double candidate) {
-    EffectRequest tried = request;
-    tried.settings["order"] = candidate;
-    return -space.Removes(tried, extra);
+    return -space.Removes(Line(request.joint, candidate), extra);
   };
   return boost::math::tools::brent_find_minima(
              lost, std::max(order - half, kLowestOrder), order + half, kBits)

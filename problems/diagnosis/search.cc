@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "core/physics/registry.h"
 #include "problems/diagnosis/moves.h"
 #include "problems/diagnosis/set_tester.h"
 #include "problems/diagnosis/spectrum.h"
@@ -17,8 +18,6 @@ constexpr int kMostAnonymous = 8;
 constexpr std::size_t kMostExchanged = 4;  // members whose alternatives are all tested
 constexpr double kBetterPart = 0.5;
 constexpr int kLinesOfAShape = 4;
-
-bool IsTorque(const std::string& driver) { return driver.find("torque") != std::string::npos; }
 
 class Searcher {
  public:
@@ -87,7 +86,7 @@ class Searcher {
     double best = -1e300;
     for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
       const Hypothesis& h = at(k);
-      if (h.named || !h.in_maximum || IsTorque(h.driver)) continue;
+      if (h.named || !h.in_maximum || h.driver.is_torque()) continue;
       if (!tester_.Try({k}, /*rescan=*/false).kept) continue;
       const double evidence = tester_.Evidence({k});
       if (evidence <= best) continue;
@@ -103,16 +102,15 @@ class Searcher {
   void DropCurves(std::vector<int>* members, SearchOutcome* out) const {
     for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
       const Hypothesis& h = at(k);
-      if (h.named || !h.in_maximum || h.slot.rfind("theta", 0) != 0) continue;
-      if (h.driver != "q" + h.slot.substr(5)) continue;
+      if (h.named || !h.in_maximum || h.slot_joint == 0) continue;
+      if (!(h.driver == Driver{DriverKind::kJointAngle, h.slot_joint})) continue;
       std::vector<int> kept, curves;
       for (const int m : *members) {
-        const bool own = "theta" + std::to_string(at(m).request.joint) == h.slot &&
-                         at(m).place.driver == "joint angle";
+        const bool own = at(m).request.joint == h.slot_joint && IsOfOwnAngle(at(m));
         (own ? curves : kept).push_back(m);
       }
       const auto low_line = [&](int m) {
-        return at(m).request.effect == kLineEffect && tester_.InCurve(m);
+        return at(m).effect == &LineEffect() && tester_.InCurve(m);
       };
       const bool series = std::count_if(curves.begin(), curves.end(), low_line) >= kLinesOfAShape;
       if (!series && (!out->complete || moves_.CountEffects(curves) < 2)) continue;
@@ -277,8 +275,8 @@ class Searcher {
       for (const int block : out->anonymous) {
         // A free curve over the name's own torque holds the name: it is what else that torque does.
         const Hypothesis& curve = at(block);
-        if (curve.slot != "theta" + std::to_string(at(k).request.joint)) continue;
-        if (curve.driver != at(k).place.driver || !IsTorque(curve.driver)) continue;
+        if (curve.slot_joint == 0 || curve.slot_joint != at(k).request.joint) continue;
+        if (!(curve.driver == at(k).driver) || !curve.driver.is_torque()) continue;
         const std::vector<int> columns = tests.Columns(block);
         own.insert(own.end(), columns.begin(), columns.end());
       }

@@ -51,7 +51,8 @@ void SetTester::Rebuild() {
   names_.clear();
   for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
     const Hypothesis& h = at(k);
-    if (h.named && h.may_be_named && MayBeNamed(h.request.effect)) names_.push_back(k);
+    if (!h.named || !h.effect->Describe().may_be_named) continue;
+    if (MayBeNamed(h.request.effect)) names_.push_back(k);
   }
   const std::vector<BlockScore> scores = tests_->Scores({});
   order_.resize(scores.size());
@@ -160,9 +161,7 @@ int SetTester::Known(const EffectRequest& request) {
 }
 
 int SetTester::Curve(int joint) {
-  EffectRequest request;
-  request.effect = CurveEffect().Describe().name;
-  request.joint = joint;
+  const EffectRequest request = CurveEffect().Request(joint);
   if (!CurveEffect().NotTestable(space_->context(), request).empty()) return -1;
   const auto columns = static_cast<Eigen::Index>(EffectColumns(space_->context(), request).size());
   if (space_->y().size() < kRowsPerCoefficient * columns) return -1;
@@ -174,7 +173,7 @@ int SetTester::Curve(int joint) {
 
 bool SetTester::InCurve(int hypothesis) const {
   const Hypothesis& h = at(hypothesis);
-  return h.place.driver == "joint angle" && h.request.setting("order", 1) < kHighestInCurve;
+  return IsOfOwnAngle(h) && h.effect->Order(h.request) < kHighestInCurve;
 }
 
 bool SetTester::AddPeaks(const std::vector<SpectralPeak>& peaks, const std::vector<int>& members) {
@@ -184,7 +183,7 @@ bool SetTester::AddPeaks(const std::vector<SpectralPeak>& peaks, const std::vect
     return std::any_of(lines_.begin(), lines_.end(), [&](int line) {
       const EffectRequest& request = at(line).request;
       return request.joint == peak.joint + 1 &&
-             std::abs(request.setting("order", 1) - peak.order) < 0.3 * resolution;
+             std::abs(LineEffect().Order(request) - peak.order) < 0.3 * resolution;
     });
   };
   const auto is_in_curve = [&](const SpectralPeak& peak) {
@@ -195,14 +194,12 @@ bool SetTester::AddPeaks(const std::vector<SpectralPeak>& peaks, const std::vect
   };
   bool any = false;
   for (const SpectralPeak& peak : peaks) {
-    if (peak.p_scan > options_.false_alarm || !MayBeNamed(kLineEffect)) continue;
+    if (peak.p_scan > options_.false_alarm || !MayBeNamed(LineEffect().name())) continue;
     if (is_known(peak) || is_in_curve(peak)) continue;
-    EffectRequest request;
-    request.effect = kLineEffect;
-    request.joint = peak.joint + 1;
-    request.settings["order"] =
-        extra.cols() > kManyColumns ? peak.order : RefineOrder(*space_, request, peak.order, extra);
-    lines_.push_back(space_->AddEffect(request, /*in_maximum=*/false));
+    const EffectRequest line = Line(peak.joint + 1, peak.order);
+    const double order =
+        extra.cols() > kManyColumns ? peak.order : RefineOrder(*space_, line, peak.order, extra);
+    lines_.push_back(space_->AddEffect(Line(peak.joint + 1, order), /*in_maximum=*/false));
     any = true;
   }
   return any;
@@ -245,11 +242,11 @@ std::vector<int> SetTester::Polished(std::vector<int> members) {
       others.erase(others.begin() + static_cast<long>(i));
       const Eigen::MatrixXd extra = space_->BasisOf(others);
       if (is_line) {
-        const double before = request.settings["order"];
+        const double before = LineEffect().Order(request);
         const double order = RefineOrder(*space_, request, before, extra);
         const double resolution = OrderResolution(space_->context(), request.joint - 1);
         if (std::abs(order - before) < kMoved * resolution) continue;
-        request.settings["order"] = order;
+        request = Line(request.joint, order);
       } else {
         const EffectRequest refined = RefineSetting(*space_, request, extra);
         if (refined.SameAs(request)) continue;
@@ -267,18 +264,20 @@ std::vector<int> SetTester::Polished(std::vector<int> members) {
 
 Eigen::VectorXd SetTester::Excused(const BlockModel& model, const std::vector<int>& members) const {
   const double removed = tests_->Removed(model);
-  std::set<std::string> places, classes;
+  std::set<std::string> places;
+  std::set<EffectClass> classes;
+  std::set<int> joints;
   for (const int k : members) {
     places.insert(at(k).place.location);
     classes.insert(at(k).place.effect_class);
-    places.insert("theta" + std::to_string(at(k).request.joint));
+    joints.insert(at(k).request.joint);
   }
   Eigen::VectorXd excused(static_cast<Eigen::Index>(space_->all().size()));
   for (int k = 0; k < static_cast<int>(space_->all().size()); ++k) {
     const Hypothesis& h = at(k);
     const bool same =
         h.named ? places.count(h.place.location) > 0 || classes.count(h.place.effect_class) > 0
-                : places.count(h.slot) > 0;
+                : places.count(h.slot) > 0 || (h.slot_joint > 0 && joints.count(h.slot_joint) > 0);
     excused[k] = removed * (same ? kImmaterialSamePlace : kImmaterial);
   }
   return excused;
@@ -346,13 +345,11 @@ bool SetTester::Conflicts(int k, const std::vector<int>& members) const {
     const bool a_curve = at(k).is_curve() || at(m).is_curve();
     if (a_curve && mine.joint == other.joint && InCurve(k) && InCurve(m)) return true;
     if (other.effect != mine.effect || other.joint != mine.joint) continue;
-    if (mine.effect == "joint_coupling") {
-      if (other.SameAs(mine)) return true;
-      continue;
-    }
-    if (mine.effect != kLineEffect) return true;
+    const PerJoint per_joint = at(k).effect->Describe().per_joint;
+    if (per_joint == PerJoint::kOne || other.SameAs(mine)) return true;
+    if (per_joint == PerJoint::kOfEachKind) continue;
     ++lines;
-    const double apart = std::abs(other.setting("order", 1) - mine.setting("order", 1));
+    const double apart = std::abs(LineEffect().Order(other) - LineEffect().Order(mine));
     const double resolution = OrderResolution(space_->context(), mine.joint - 1);
     if (apart < 0.8 * std::min(resolution, 1.0) || lines >= kMostLines) return true;
   }

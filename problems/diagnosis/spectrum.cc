@@ -11,6 +11,7 @@
 #include "core/base/units.h"
 #include "core/math/nonuniform_fourier.h"
 #include "core/math/statistics.h"
+#include "core/physics/registry.h"
 
 namespace dhcal {
 namespace {
@@ -174,7 +175,7 @@ bool IsScanned(const PhysicsContext& c, int joint) { return c.revolute(joint) &&
 }  // namespace
 
 bool IsScannedLine(const EffectRequest& request) {
-  return request.effect == kLineEffect && request.setting("order", 0) >= kLowestOrder;
+  return request.effect == LineEffect().name() && LineEffect().Order(request) >= kLowestOrder;
 }
 
 double ScanWidth(const PhysicsContext& c) {

@@ -14,12 +14,9 @@ namespace dhcal {
 
 /// Orders are scanned up to twice the highest usual gear ratio (161): a wave generator's mesh.
 constexpr double kHighestOrder = 330;
-/// Below, whole orders of gear_harmonic are the only lines that are named: a sine of order 2.3,
-/// say, imitates any bump of a smooth function, and no gear has it.
+/// Below, whole orders are the only lines that are named: a sine of order 2.3, say, imitates any
+/// bump of a smooth function, and no gear has it.
 constexpr double kLowestOrder = 8;
-
-/// The effect that a line of the spectrum is.
-constexpr char kLineEffect[] = "gear_harmonic";
 
 /// True for a line that a scan found, or may have.
 bool IsScannedLine(const EffectRequest& request);

@@ -164,7 +164,7 @@ Transfer TransferTo(const ProblemSpec& spec,
   for (const EffectRequest& effect : model) {
     const Effect& entry = *FindEffect(effect.effect);
     // Instants and drifts belong to the days of the first recording.
-    const bool passes = entry.Place(context, effect).driver == "time";
+    const bool passes = entry.Place(context, effect).driver.kind == DriverKind::kTime;
     if (passes || !entry.NotTestable(context, effect).empty()) {
       transfer.left_behind.push_back(InstanceName(effect));
       continue;

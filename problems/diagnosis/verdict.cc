@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,8 +26,6 @@ const Hypothesis& At(const HypothesisSpace& space, int idx) {
   return space.all()[static_cast<std::size_t>(idx)];
 }
 
-bool IsPhysics(const Finding& finding) { return finding.effect_class != "geometry"; }
-
 /// Root mean square of what a cell would explain, as read [m].
 double RmsOfCell(const CompleteFit& geometry, const HypothesisSpace& space, int cell) {
   const Eigen::MatrixXd basis = space.BasisOf({cell});
@@ -48,7 +45,7 @@ void FillMap(const CompleteFit& geometry,
     if (h.named || !h.in_maximum || score.k == 0) continue;
     MapEntry entry;
     entry.slot = h.slot;
-    entry.driver = h.driver;
+    entry.driver = h.driver_name;
     entry.statistic = score.Q;
     entry.dof = score.k;
     entry.p_value = score.p;
@@ -75,22 +72,6 @@ void FillHypotheses(const HypothesisSpace& space, const SearchOutcome& out, Diag
   std::stable_sort(d->hypotheses.begin(), d->hypotheses.end(), [](const auto& a, const auto& b) {
     return a.kept != b.kept ? a.kept : a.p_value > b.p_value;
   });
-}
-
-/// What tells the members of a confusability class apart (physics.md A.10).
-std::string ClassAdvice(const std::string& effect_class) {
-  static const std::map<std::string, std::string> advice = {
-      {"C1", "a second target on the base or on link 2, or a load from the side"},
-      {"C2", "the full range of the joint; against gravity, the same poses with another payload"},
-      {"C3", "more than 180 deg of the joint's travel, wrist flips"},
-      {"C4", "approaches with another gravity load, other travel lengths, a longer dwell"},
-      {"C5", "reference poses repeated through the day, a target on the base, thermometers"},
-      {"C6", "measured orientations, several arm shapes before and after the step"},
-      {"C7", "a second length standard"},
-      {"C8", "sidebands of the line, the gear's tooth and pole counts"},
-      {"C9", "wrist flips and turns of joints 4 and 6 beyond 180 deg"}};
-  const auto found = advice.find(effect_class);
-  return found == advice.end() ? "poses over a wider range" : found->second;
 }
 
 /// Kept sets that have another effect in the place of `member`.
@@ -133,8 +114,10 @@ void AddAlternatives(const Elsewhere& elsewhere,
   for (Finding& finding : d->findings) {
     Elsewhere::Split hardest;
     int hardest_other = -1;
+    EffectClass effect_class = EffectClass::kGeometry;
     for (const int member : out.accepted) {
       if (!OneFinding(finding.effect, At(space, member).request)) continue;
+      effect_class = At(space, member).place.effect_class;
       for (const int other : Alternatives(out, member)) {
         const Hypothesis& h = At(space, other);
         if (h.family == At(space, member).family) continue;
@@ -161,7 +144,7 @@ void AddAlternatives(const Elsewhere& elsewhere,
       ways.push_back(fmt::format("the same poses with 0 and 15 kg (up to {:.2f} mm)",
                                  hardest.with_payload / kMillimetre));
     }
-    ways.push_back(ClassAdvice(finding.effect_class));
+    ways.emplace_back(Advice(effect_class));
     finding.separating_advice = fmt::format("to tell it from {}: {}",
                                             InstanceName(At(space, hardest_other).request),
                                             fmt::join(ways, "; or "));
@@ -201,7 +184,7 @@ Unexplained Curve(const HypothesisSpace& space,
   const Hypothesis& h = At(space, block);
   Unexplained rest;
   rest.slot = h.slot;
-  rest.driver = h.driver;
+  rest.driver = h.driver_name;
   if (h.driver_values.size() == 0 || h.knots.size() < 2) return rest;
   std::vector<double> knots;
   const auto count = std::min<std::size_t>(kCurveKnots, h.knots.size());
@@ -323,7 +306,7 @@ void Decide(const SearchOutcome& out, bool rest_left, DiagnosisResult* d) {
   std::size_t physics = 0;
   bool confusable = false;
   for (const Finding& finding : d->findings) {
-    if (!IsPhysics(finding)) continue;
+    if (finding.is_geometry) continue;
     ++physics;
     confusable = confusable || !finding.confusable_with.empty();
   }

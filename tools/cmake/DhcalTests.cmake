@@ -47,3 +47,7 @@ endforeach()
 add_test(NAME tools/layers COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tools/check_layers.py")
 add_test(NAME tools/layers_self_test
          COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/check_layers_test.py")
+add_test(NAME tools/effects
+         COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tools/check_effects.py")
+add_test(NAME tools/effects_self_test
+         COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/check_effects_test.py")

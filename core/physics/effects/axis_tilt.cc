@@ -9,25 +9,15 @@
 
 #include <fmt/format.h>
 
-#include "core/physics/columns.h"
+#include "core/physics/joint_effect.h"
 
 namespace dhcal {
 namespace {
 
-class AxisTiltEffect final : public Effect {
+class AxisTiltEffect final : public JointEffect {
  public:
-  EffectDescription Describe() const override {
-    return {"axis_tilt",
-            "two axes that the drawing says are parallel are not (geometry, not physics)",
-            "beta_i += b",
-            "tilt [rad]",
-            {},
-            "",
-            "0.1-0.5 mrad [physics.md X1]"};
-  }
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    return CheckJoint(c, request);
-  }
+  AxisTiltEffect() : JointEffect(About(), {EffectClass::kGeometry, DriverKind::kConstant}) {}
+
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
     return {SlotColumn("tilt",
@@ -37,9 +27,6 @@ class AxisTiltEffect final : public Effect {
                        Eigen::VectorXd::Ones(c.num_rows()))};
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override { return {}; }
-  EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& request) const override {
-    return {"geometry", JointName(request.joint), "constant"};
-  }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     return fmt::format("the axis after joint {} is tilted by {} against parallel",
@@ -47,14 +34,21 @@ class AxisTiltEffect final : public Effect {
                        Quantity(Find(values, "tilt"), 1e-3, "mrad"));
   }
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "axis_tilt";
-    example.request.joint = 2;
-    example.request.values["tilt"] = 3e-4;
-    example.row = 1;
-    example.slot = "beta2";
-    example.expected = 3e-4;
-    return example;
+    return {WithValue(Request(2), "tilt", 3e-4), 1, "beta2", 3e-4};
+  }
+
+ private:
+  static EffectDescription About() {
+    EffectDescription d{
+        "axis_tilt",
+        "two axes that the drawing says are parallel are not (geometry, not physics)",
+        "beta_i += b",
+        "tilt [rad]",
+        {},
+        "",
+        "0.1-0.5 mrad [physics.md X1]"};
+    d.completes = ParameterGroup::kBeta;
+    return d;
   }
 };
 

@@ -9,68 +9,61 @@
 
 #include <fmt/format.h>
 
-#include "core/physics/columns.h"
+#include "core/physics/joint_effect.h"
 
 namespace dhcal {
 namespace {
 
-class AxisWobbleEffect final : public Effect {
+class AxisWobbleEffect final : public JointEffect {
  public:
-  EffectDescription Describe() const override {
-    return {"axis_wobble",
-            "a joint's axis tilts periodically with its angle",
-            "tilt = R(N q_j) (w_x, w_y)",
-            "x, y [rad]",
-            {{"order", "N, default 2"}},
-            "",
-            "10-50 urad [physics.md X2]"};
-  }
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
-    if (!c.revolute(JointIndex(request))) return "the joint is prismatic";
-    return c.moves(JointIndex(request)) ? "" : "the joint does not move";
-  }
+  AxisWobbleEffect()
+      : JointEffect({"axis_wobble",
+                     "a joint's axis tilts periodically with its angle",
+                     "tilt = R(N q_j) (w_x, w_y)",
+                     "x, y [rad]",
+                     {Number("order", "N, default 2")},
+                     "",
+                     "10-50 urad [physics.md X2]"},
+                    {EffectClass::kWobble, DriverKind::kJointAngle, JointNeeds::kTurningMotion}) {}
+
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
     return {Column(c, request, "x", 0), Column(c, request, "y", 1)};
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    std::vector<EffectRequest> requests = EveryJoint(c, "axis_wobble");
+    std::vector<EffectRequest> requests = EveryJoint(c);
     for (EffectRequest& request : requests) request.settings["order"] = 2;
     return requests;
   }
   EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {
-    return {request.joint > c.num_joints() - 3 ? "C9" : "wobble",
+    const bool wrist = request.joint > c.num_joints() - 3;
+    return {wrist ? EffectClass::kWristMotion : EffectClass::kWobble,
             JointName(request.joint),
-            "joint angle"};
+            {DriverKind::kJointAngle, request.joint}};
   }
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
+  double Order(const EffectRequest& request) const override { return request.setting("order", 2); }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     return fmt::format("the axis of joint {} wobbles {:g} times per turn by {}",
                        request.joint,
-                       request.setting("order", 2),
+                       Order(request),
                        Quantity(Amplitude(Find(values, "x"), Find(values, "y")), 1e-6, "urad"));
   }
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "axis_wobble";
-    example.request.joint = 1;
-    example.request.settings["order"] = 2;
-    example.request.values["x"] = 50e-6;
-    example.row = 1;
-    example.slot = "base_rx";
-    example.expected = 50e-6 * 0.939692620785908;
-    return example;
+    return {WithValue(WithSetting(Request(1), "order", 2), "x", 50e-6),
+            1,
+            "base_rx",
+            50e-6 * 0.939692620785908};
   }
 
  private:
-  static EffectColumn Column(const PhysicsContext& c,
-                             const EffectRequest& request,
-                             const char* name,
-                             int component) {
+  EffectColumn Column(const PhysicsContext& c,
+                      const EffectRequest& request,
+                      const char* name,
+                      int component) const {
     const int joint = JointIndex(request);
-    const Eigen::VectorXd phase = request.setting("order", 2) * c.q(joint);
+    const Eigen::VectorXd phase = Order(request) * c.q(joint);
     return TwistColumn(c, name, "rad", 4e-5, [&](int row) {
       // The fixed frame of the axis: x and y as they stand when the joint is at zero.
       const Eigen::Vector3d axis = c.axis(row, joint);

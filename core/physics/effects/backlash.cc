@@ -14,8 +14,8 @@
 
 #include <fmt/format.h>
 
-#include "core/physics/columns.h"
 #include "core/physics/gravity.h"
+#include "core/physics/joint_effect.h"
 
 namespace dhcal {
 namespace {
@@ -32,19 +32,22 @@ Eigen::VectorXd Flank(const PhysicsContext& c, const EffectRequest& request) {
   return torque.unaryExpr([](double t) { return t > 0 ? 1.0 : t < 0 ? -1.0 : 0.0; });
 }
 
-class BacklashEffect final : public Effect {
+class BacklashEffect final : public JointEffect {
  public:
-  EffectDescription Describe() const override {
-    return {"backlash",
-            "play or friction wind-up: a joint stops short, depending on the approach",
-            "d theta_j = (b / 2) s_j",
-            "width [rad], of a prismatic joint [m]",
-            {{"flank", "0 = approach direction, 1 = sign of gravity torque"}},
-            "dir<j>, or poses in the order of the motion; robot.links with flank = 1",
-            "0.1-0.3 mrad [physics.md B1, F1]"};
-  }
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+  BacklashEffect()
+      : JointEffect({"backlash",
+                     "play or friction wind-up: a joint stops short, depending on the approach",
+                     "d theta_j = (b / 2) s_j",
+                     "width [rad], of a prismatic joint [m]",
+                     {Flag("flank", "0 = approach direction, 1 = sign of gravity torque")},
+                     "dir<j>, or poses in the order of the motion; robot.links with flank = 1",
+                     "0.1-0.3 mrad [physics.md B1, F1]"},
+                    {EffectClass::kLostMotion,
+                     DriverKind::kApproachDirection,
+                     JointNeeds::kNothing,
+                     /*tries_sliding=*/true}) {}
+
+  std::string NotTestableAt(const PhysicsContext& c, const EffectRequest& request) const override {
     if (ByTorque(request)) {
       if (c.robot().links.empty()) return "the masses (robot.links) are not given";
       if (!GravityLoads(c, JointIndex(request))) return "gravity does not load this joint";
@@ -66,12 +69,13 @@ class BacklashEffect final : public Effect {
                        0.5 * Flank(c, request))};
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    return WithVariant(*this, c, EveryJoint(c, "backlash", /*revolute_only=*/false), "flank");
+    return WithVariant(*this, c, EveryJoint(c), "flank");
   }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& request) const override {
-    return {"C4",
+    return {EffectClass::kLostMotion,
             JointName(request.joint),
-            ByTorque(request) ? "sign of gravity torque" : "approach direction"};
+            {ByTorque(request) ? DriverKind::kSignOfGravityTorque : DriverKind::kApproachDirection,
+             request.joint}};
   }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
@@ -83,14 +87,7 @@ class BacklashEffect final : public Effect {
                                          : "the direction from which it was approached");
   }
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "backlash";
-    example.request.joint = 4;
-    example.request.values["width"] = 3e-4;
-    example.row = 2;
-    example.slot = "theta4";
-    example.expected = -1.5e-4;
-    return example;
+    return {WithValue(Request(4), "width", 3e-4), 2, "theta4", -1.5e-4};
   }
 };
 

@@ -21,18 +21,15 @@ constexpr double kTypicalCompliance = 3e-7;  // [rad/(N m)]
 
 class BaseComplianceEffect final : public Effect {
  public:
-  EffectDescription Describe() const override {
-    EffectDescription d{"base_compliance",
-                        "base or floor tilts under the robot's overturning moment",
-                        "(phi_x, phi_y) = (C_x M_x, C_y M_y)",
-                        "compliance_x, compliance_y [rad/(N m)]; without masses one pair of "
-                        "products per moment",
-                        {},
-                        "robot.links for C itself",
-                        "0.01-1 urad/(N m) [physics.md E4]"};
-    d.has_joint = false;
-    return d;
-  }
+  BaseComplianceEffect()
+      : Effect({"base_compliance",
+                "base or floor tilts under the robot's overturning moment",
+                "(phi_x, phi_y) = (C_x M_x, C_y M_y)",
+                "compliance_x, compliance_y [rad/(N m)]; without masses one pair of "
+                "products per moment",
+                {},
+                "robot.links for C itself",
+                "0.01-1 urad/(N m) [physics.md E4]"}) {}
 
   std::string NotTestable(const PhysicsContext& c,
                           const EffectRequest& /*request*/) const override {
@@ -67,14 +64,8 @@ class BaseComplianceEffect final : public Effect {
     return columns;
   }
 
-  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override {
-    EffectRequest request;
-    request.effect = "base_compliance";
-    return {request};
-  }
-
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
-    return {"C1", "base", "overturning moment"};
+    return {EffectClass::kShoulderLoad, "base", {DriverKind::kOverturningMoment}};
   }
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
 
@@ -93,14 +84,11 @@ class BaseComplianceEffect final : public Effect {
   }
 
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "base_compliance";
-    example.request.values["compliance_y"] = 1e-7;
-    example.row = 0;
-    example.slot = "base_ry";
     // Links of 100 N each at x = 0.3, 0.95, 1.105 m (links 1, 2, 3) and 1.105 m (links 4, 5, 6).
-    example.expected = 1e-7 * 100 * (0.3 + 0.95 + 4 * 1.105);
-    return example;
+    return {WithValue(Request(), "compliance_y", 1e-7),
+            0,
+            "base_ry",
+            1e-7 * 100 * (0.3 + 0.95 + 4 * 1.105)};
   }
 
  private:

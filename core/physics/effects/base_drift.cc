@@ -18,17 +18,15 @@ namespace {
 
 class BaseDriftEffect final : public Effect {
  public:
-  EffectDescription Describe() const override {
-    EffectDescription d{"base_drift",
-                        "base or instrument moves slowly during the recording",
-                        "base_xyz += (x, y, z) u",
-                        "x, y, z [m], or [m/K] with temperatures",
-                        {{"time_constant_s", "by the clock; 0 = steadily"}},
-                        "temperature_C, or t_s with time_constant_s",
-                        "0.05-0.3 mm over a warm-up [physics.md T2]"};
-    d.has_joint = false;
-    return d;
-  }
+  BaseDriftEffect()
+      : Effect({"base_drift",
+                "base or instrument moves slowly during the recording",
+                "base_xyz += (x, y, z) u",
+                "x, y, z [m], or [m/K] with temperatures",
+                {TimeConstantSetting()},
+                "temperature_C, or t_s with time_constant_s",
+                "0.05-0.3 mm over a warm-up [physics.md T2]"}) {}
+
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
     return DriftNotTestable(c, request, 0);
   }
@@ -47,12 +45,10 @@ class BaseDriftEffect final : public Effect {
     return columns;
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    EffectRequest request;
-    request.effect = "base_drift";
-    return DriftCandidates(c, {request});
+    return DriftCandidates(c, {Request()});
   }
   EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {
-    return {"C5", "base", DriftByTime(c, request) ? "time" : "temperature"};
+    return {EffectClass::kDrift, "base", DriftDriver(c, request)};
   }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
@@ -68,13 +64,7 @@ class BaseDriftEffect final : public Effect {
     return text;
   }
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "base_drift";
-    example.request.values["z"] = 1e-4;
-    example.row = 1;
-    example.slot = "base_z";
-    example.expected = 1e-3;
-    return example;
+    return {WithValue(Request(), "z", 1e-4), 1, "base_z", 1e-3};
   }
 };
 

@@ -11,7 +11,7 @@ namespace dhcal {
 
 const Effect& BaseFrame() {
   static const FrameEffect effect(
-      "base_frame", "base", "the base stands elsewhere than the file says");
+      "base_frame", ParameterGroup::kBase, "the base stands elsewhere than the file says");
   return effect;
 }
 

@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "core/physics/columns.h"
+#include "core/physics/joint_effect.h"
 
 namespace dhcal {
 namespace {
@@ -21,27 +21,21 @@ std::string WithOrder(const char* name, double order) {
   return fmt::format("{}_{:g}", name, order);
 }
 
-class GearHarmonicEffect final : public Effect {
+class GearHarmonicEffect final : public JointEffect {
  public:
-  EffectDescription Describe() const override {
-    return {"gear_harmonic",
-            "a gear or encoder errs periodically with the joint's angle",
-            "d theta_j = A sin(N q_j) + B cos(N q_j)",
-            "sin_<N>, cos_<N> [rad]",
-            {{"order", "N, default 1"}},
-            "",
-            "0.1 mrad at N = 1; 0.02-0.15 mrad at mesh orders [physics.md G1-G3]"};
+  GearHarmonicEffect()
+      : JointEffect(About(),
+                    {EffectClass::kGearLine, DriverKind::kJointAngle, JointNeeds::kTurningMotion}) {
   }
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
-    if (!c.revolute(JointIndex(request))) return "the joint is prismatic";
-    if (!(request.setting("order", 1) > 0)) return "the order must be positive";
-    return c.moves(JointIndex(request)) ? "" : "the joint does not move";
+
+  std::string NotTestableAt(const PhysicsContext& /*c*/,
+                            const EffectRequest& request) const override {
+    return Order(request) > 0 ? "" : "the order must be positive";
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
     const int joint = JointIndex(request);
-    const double order = request.setting("order", 1);
+    const double order = Order(request);
     const Eigen::ArrayXd phase = order * c.q(joint).array();
     const double typical = order < 3 ? 1e-4 : 5e-5;
     return {
@@ -53,7 +47,7 @@ class GearHarmonicEffect final : public Effect {
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
     std::vector<EffectRequest> requests;
     for (const double order : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0}) {
-      for (EffectRequest request : EveryJoint(c, "gear_harmonic")) {
+      for (EffectRequest request : EveryJoint(c)) {
         request.settings["order"] = order;
         requests.push_back(request);
       }
@@ -61,14 +55,16 @@ class GearHarmonicEffect final : public Effect {
     return requests;
   }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& request) const override {
-    const double order = request.setting("order", 1);
-    const char* const smooth = request.joint == 2 ? "C2" : "C3";
-    return {order < 3 ? smooth : "C8", JointName(request.joint), "joint angle"};
+    const double order = Order(request);
+    return {order < 3 ? SmoothInAngleOf(request.joint) : EffectClass::kGearLine,
+            JointName(request.joint),
+            {DriverKind::kJointAngle, request.joint}};
   }
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
+  double Order(const EffectRequest& request) const override { return request.setting("order", 1); }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
-    const double order = request.setting("order", 1);
+    const double order = Order(request);
     const EffectValue amplitude =
         Amplitude(Find(values, WithOrder("sin", order)), Find(values, WithOrder("cos", order)));
     return fmt::format("joint {} errs periodically, {:.4g} times per turn, with an amplitude of {}",
@@ -77,15 +73,20 @@ class GearHarmonicEffect final : public Effect {
                        Quantity(amplitude, 1e-3, "mrad"));
   }
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "gear_harmonic";
-    example.request.joint = 3;
-    example.request.settings["order"] = 1;
-    example.request.values["sin_1"] = 1e-4;
-    example.row = 1;
-    example.slot = "theta3";
-    example.expected = 5e-5;
-    return example;
+    return {WithValue(WithSetting(Request(3), "order", 1), "sin_1", 1e-4), 1, "theta3", 5e-5};
+  }
+
+ private:
+  static EffectDescription About() {
+    EffectDescription d{"gear_harmonic",
+                        "a gear or encoder errs periodically with the joint's angle",
+                        "d theta_j = A sin(N q_j) + B cos(N q_j)",
+                        "sin_<N>, cos_<N> [rad]",
+                        {Scanned(Number("order", "N, default 1"), SettingScan::kOrders)},
+                        "",
+                        "0.1 mrad at N = 1; 0.02-0.15 mrad at mesh orders [physics.md G1-G3]"};
+    d.per_joint = PerJoint::kManyLines;
+    return d;
   }
 };
 

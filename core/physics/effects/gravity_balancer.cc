@@ -11,29 +11,24 @@
 
 #include <fmt/format.h>
 
-#include "core/physics/columns.h"
 #include "core/physics/gravity.h"
+#include "core/physics/joint_effect.h"
 
 namespace dhcal {
 namespace {
 
-class GravityBalancerEffect final : public Effect {
+class GravityBalancerEffect final : public JointEffect {
  public:
-  EffectDescription Describe() const override {
-    return {"gravity_balancer",
-            "a spring or gas balancer acts on the joint that lifts the arm",
-            "d theta_j = s1 sin q + c1 cos q + s2 sin 2q + c2 cos 2q",
-            "sin_1, cos_1, sin_2, cos_2 [rad]",
-            {},
-            "a turning joint that gravity loads",
-            "0.1-0.3 mrad [physics.md E2]"};
-  }
-
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
-    if (!c.revolute(JointIndex(request))) return "the joint is prismatic";
-    return c.moves(JointIndex(request)) ? "" : "the joint does not move";
-  }
+  GravityBalancerEffect()
+      : JointEffect(
+            {"gravity_balancer",
+             "a spring or gas balancer acts on the joint that lifts the arm",
+             "d theta_j = s1 sin q + c1 cos q + s2 sin 2q + c2 cos 2q",
+             "sin_1, cos_1, sin_2, cos_2 [rad]",
+             {},
+             "a turning joint that gravity loads",
+             "0.1-0.3 mrad [physics.md E2]"},
+            {EffectClass::kShoulderAngle, DriverKind::kJointAngle, JointNeeds::kTurningMotion}) {}
 
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
@@ -49,15 +44,9 @@ class GravityBalancerEffect final : public Effect {
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
     const int joint = FirstLoadedJoint(c);
     if (joint < 0) return {};
-    EffectRequest request;
-    request.effect = "gravity_balancer";
-    request.joint = joint + 1;
-    return {request};
+    return {Request(joint + 1)};
   }
 
-  EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& request) const override {
-    return {"C2", JointName(request.joint), "joint angle"};
-  }
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
 
   std::string Sentence(const EffectRequest& request,
@@ -71,14 +60,7 @@ class GravityBalancerEffect final : public Effect {
   }
 
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "gravity_balancer";
-    example.request.joint = 3;
-    example.request.values["sin_1"] = 2e-4;
-    example.row = 1;
-    example.slot = "theta3";
-    example.expected = 1e-4;
-    return example;
+    return {WithValue(Request(3), "sin_1", 2e-4), 1, "theta3", 1e-4};
   }
 
  private:

@@ -15,8 +15,8 @@
 
 #include <fmt/format.h>
 
-#include "core/physics/columns.h"
 #include "core/physics/gravity.h"
+#include "core/physics/joint_effect.h"
 
 namespace dhcal {
 namespace {
@@ -33,21 +33,20 @@ bool UsesMeasuredTorque(const EffectRequest& request) {
 
 bool FreesMasses(const EffectRequest& request) { return request.setting("free_masses", 0) != 0; }
 
-class JointComplianceEffect final : public Effect {
+class JointComplianceEffect final : public JointEffect {
  public:
-  EffectDescription Describe() const override {
-    return {"joint_compliance",
-            "a joint yields elastically under the torque of gravity and payload",
-            "d theta_j = c tau_j",
-            "compliance [rad/(N m)]; without masses compliance_x_<moment>",
-            {{"measured_torque", "1 = use the torque column"},
-             {"free_masses", "1 = do not trust robot.links"}},
-            "robot.links for c itself; torque<j>_Nm with measured_torque",
-            "2-6 urad/(N m) at joints 1-3, 20-100 in the wrist [physics.md E1]"};
-  }
+  JointComplianceEffect()
+      : JointEffect({"joint_compliance",
+                     "a joint yields elastically under the torque of gravity and payload",
+                     "d theta_j = c tau_j",
+                     "compliance [rad/(N m)]; without masses compliance_x_<moment>",
+                     {Flag("measured_torque", "1 = use the torque column"),
+                      Flag("free_masses", "1 = do not trust robot.links")},
+                     "robot.links for c itself; torque<j>_Nm with measured_torque",
+                     "2-6 urad/(N m) at joints 1-3, 20-100 in the wrist [physics.md E1]"},
+                    {EffectClass::kElastic, DriverKind::kGravityTorque}) {}
 
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+  std::string NotTestableAt(const PhysicsContext& c, const EffectRequest& request) const override {
     const int joint = JointIndex(request);
     if (UsesMeasuredTorque(request)) {
       if (!HasMeasuredTorque(c, joint)) return "the recording has no torque of this joint";
@@ -100,14 +99,15 @@ class JointComplianceEffect final : public Effect {
   }
 
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    return WithVariant(*this, c, EveryJoint(c, "joint_compliance"), "measured_torque");
+    return WithVariant(*this, c, EveryJoint(c), "measured_torque");
   }
 
   EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {
     const bool shoulder = JointIndex(request) == FirstLoadedJoint(c);
-    return {shoulder ? "C1" : "elastic",
+    return {shoulder ? EffectClass::kShoulderLoad : EffectClass::kElastic,
             JointName(request.joint),
-            UsesMeasuredTorque(request) ? "measured torque" : "gravity torque"};
+            {UsesMeasuredTorque(request) ? DriverKind::kMeasuredTorque : DriverKind::kGravityTorque,
+             request.joint}};
   }
   bool DependsOnPoseOnly(const EffectRequest& request) const override {
     return !UsesMeasuredTorque(request);
@@ -136,16 +136,11 @@ class JointComplianceEffect final : public Effect {
   }
 
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "joint_compliance";
-    example.request.joint = 2;
-    example.request.settings["measured_torque"] = 1;
-    example.request.values["compliance"] = 3e-6;
-    example.row = 1;
-    example.slot = "theta2";
     // The column's sign is that of gravity, which pulls the stretched arm of row 1 down (-).
-    example.expected = -3e-4;
-    return example;
+    return {WithValue(WithSetting(Request(2), "measured_torque", 1), "compliance", 3e-6),
+            1,
+            "theta2",
+            -3e-4};
   }
 
  private:

@@ -9,25 +9,17 @@
 
 #include <fmt/format.h>
 
-#include "core/physics/columns.h"
+#include "core/physics/joint_effect.h"
 
 namespace dhcal {
 namespace {
 
-class JointCouplingEffect final : public Effect {
+class JointCouplingEffect final : public JointEffect {
  public:
-  EffectDescription Describe() const override {
-    return {"joint_coupling",
-            "a joint is turned by the motion of another one",
-            "d theta_j = k q_i",
-            "coupling [rad/rad]",
-            {{"driver_joint", "i; default: the joint before j"}},
-            "a second joint that moves",
-            "0.1-1 mrad/rad [physics.md W1]"};
-  }
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
-    const int driver = Driver(request);
+  JointCouplingEffect() : JointEffect(About(), {EffectClass::kCoupling, DriverKind::kJointAngle}) {}
+
+  std::string NotTestableAt(const PhysicsContext& c, const EffectRequest& request) const override {
+    const int driver = DrivingJoint(request);
     if (driver < 0 || driver >= c.num_joints() || driver == JointIndex(request)) {
       return fmt::format("needs another joint from 1 to {} as driver_joint", c.num_joints());
     }
@@ -35,8 +27,11 @@ class JointCouplingEffect final : public Effect {
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
-    return {SlotColumn(
-        "coupling", "rad/rad", 2e-4, c.joint_slot(JointIndex(request)), c.q(Driver(request)))};
+    return {SlotColumn("coupling",
+                       "rad/rad",
+                       2e-4,
+                       c.joint_slot(JointIndex(request)),
+                       c.q(DrivingJoint(request)))};
   }
   /// Couplings of the last three joints, and of the third by the second (a parallelogram).
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
@@ -44,9 +39,7 @@ class JointCouplingEffect final : public Effect {
     const int n = c.num_joints();
     const auto add = [&](int driver, int joint) {
       if (driver < 1 || joint > n) return;
-      EffectRequest request;
-      request.effect = "joint_coupling";
-      request.joint = joint;
+      EffectRequest request = Request(joint);
       request.settings["driver_joint"] = driver;
       requests.push_back(request);
     };
@@ -57,32 +50,40 @@ class JointCouplingEffect final : public Effect {
     return requests;
   }
   EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {
-    return {request.joint > c.num_joints() - 3 ? "C9" : "coupling",
+    const bool wrist = request.joint > c.num_joints() - 3;
+    return {wrist ? EffectClass::kWristMotion : EffectClass::kCoupling,
             JointName(request.joint),
-            fmt::format("angle of joint {}", Driver(request) + 1)};
+            {DriverKind::kJointAngle, DrivingJoint(request) + 1}};
   }
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     return fmt::format("joint {} is turned by joint {}: {}",
                        request.joint,
-                       Driver(request) + 1,
+                       DrivingJoint(request) + 1,
                        Quantity(Find(values, "coupling"), 1e-3, "mrad per rad"));
   }
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "joint_coupling";
-    example.request.joint = 5;
-    example.request.settings["driver_joint"] = 4;
-    example.request.values["coupling"] = 2e-4;
-    example.row = 1;
-    example.slot = "theta5";
-    example.expected = 2e-4 * 0.698131700797732;
-    return example;
+    return {WithValue(WithSetting(Request(5), "driver_joint", 4), "coupling", 2e-4),
+            1,
+            "theta5",
+            2e-4 * 0.698131700797732};
   }
 
  private:
-  static int Driver(const EffectRequest& request) {
+  static EffectDescription About() {
+    EffectDescription d{"joint_coupling",
+                        "a joint is turned by the motion of another one",
+                        "d theta_j = k q_i",
+                        "coupling [rad/rad]",
+                        {JointNumber("driver_joint", "i; default: the joint before j")},
+                        "a second joint that moves",
+                        "0.1-1 mrad/rad [physics.md W1]"};
+    d.per_joint = PerJoint::kOfEachKind;
+    return d;
+  }
+
+  static int DrivingJoint(const EffectRequest& request) {
     return static_cast<int>(request.setting("driver_joint", request.joint - 1)) - 1;
   }
 };

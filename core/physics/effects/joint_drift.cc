@@ -9,25 +9,25 @@
 
 #include <fmt/format.h>
 
-#include "core/physics/columns.h"
 #include "core/physics/drift.h"
+#include "core/physics/joint_effect.h"
 
 namespace dhcal {
 namespace {
 
-class JointDriftEffect final : public Effect {
+class JointDriftEffect final : public JointEffect {
  public:
-  EffectDescription Describe() const override {
-    return {"joint_drift",
-            "a joint's zero moves slowly during the recording",
-            "d theta_j = r u",
-            "drift [rad], or [rad/K] with temperatures",
-            {{"time_constant_s", "by the clock; 0 = steadily"}},
-            "temperature_C, or t_s with time_constant_s",
-            "0.05-0.3 mrad [physics.md T1]"};
-  }
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+  JointDriftEffect()
+      : JointEffect({"joint_drift",
+                     "a joint's zero moves slowly during the recording",
+                     "d theta_j = r u",
+                     "drift [rad], or [rad/K] with temperatures",
+                     {TimeConstantSetting()},
+                     "temperature_C, or t_s with time_constant_s",
+                     "0.05-0.3 mrad [physics.md T1]"},
+                    {EffectClass::kDrift, DriverKind::kTime}) {}
+
+  std::string NotTestableAt(const PhysicsContext& c, const EffectRequest& request) const override {
     return DriftNotTestable(c, request, JointIndex(request));
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
@@ -41,10 +41,10 @@ class JointDriftEffect final : public Effect {
                        DriftProfile(c, request, joint))};
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    return DriftCandidates(c, EveryJoint(c, "joint_drift"));
+    return DriftCandidates(c, EveryJoint(c));
   }
   EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {
-    return {"C5", JointName(request.joint), DriftByTime(c, request) ? "time" : "temperature"};
+    return {EffectClass::kDrift, JointName(request.joint), DriftDriver(c, request)};
   }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
@@ -55,15 +55,10 @@ class JointDriftEffect final : public Effect {
                        Quantity(Find(values, "drift"), 1e-3, clock ? "mrad" : "mrad per K"));
   }
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "joint_drift";
-    example.request.joint = 3;
-    example.request.settings["time_constant_s"] = 3600;
-    example.request.values["drift"] = 2e-4;
-    example.row = 1;
-    example.slot = "theta3";
-    example.expected = 2e-4 * 0.632120558828558;
-    return example;
+    return {WithValue(WithSetting(Request(3), "time_constant_s", 3600), "drift", 2e-4),
+            1,
+            "theta3",
+            2e-4 * 0.632120558828558};
   }
 };
 

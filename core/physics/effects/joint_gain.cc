@@ -9,36 +9,35 @@
 
 #include <fmt/format.h>
 
-#include "core/physics/columns.h"
+#include "core/physics/joint_effect.h"
 
 namespace dhcal {
 namespace {
 
-class JointGainEffect final : public Effect {
+class JointGainEffect final : public JointEffect {
  public:
-  EffectDescription Describe() const override {
-    return {"joint_gain",
-            "a joint turns by a constant factor more or less than the controller says",
-            "d theta_j = g q_j",
-            "gain [rad/rad]",
-            {},
-            "",
-            "0.1-1 mrad/rad [physics.md K1]"};
-  }
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
-    return c.moves(JointIndex(request)) ? "" : "the joint does not move";
-  }
+  JointGainEffect()
+      : JointEffect({"joint_gain",
+                     "a joint turns by a constant factor more or less than the controller says",
+                     "d theta_j = g q_j",
+                     "gain [rad/rad]",
+                     {},
+                     "",
+                     "0.1-1 mrad/rad [physics.md K1]"},
+                    {EffectClass::kJointAngle,
+                     DriverKind::kJointAngle,
+                     JointNeeds::kMotion,
+                     /*tries_sliding=*/true}) {}
+
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
     const int joint = JointIndex(request);
     return {SlotColumn("gain", "rad/rad", 1e-4, c.joint_slot(joint), c.q(joint))};
   }
-  std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    return EveryJoint(c, "joint_gain", /*revolute_only=*/false);
-  }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& request) const override {
-    return {request.joint == 2 ? "C2" : "C3", JointName(request.joint), "joint angle"};
+    return {SmoothInAngleOf(request.joint),
+            JointName(request.joint),
+            {DriverKind::kJointAngle, request.joint}};
   }
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
   std::string Sentence(const EffectRequest& request,
@@ -48,14 +47,7 @@ class JointGainEffect final : public Effect {
                        Quantity(Find(values, "gain"), 1e-3, "mrad per rad"));
   }
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "joint_gain";
-    example.request.joint = 3;
-    example.request.values["gain"] = 1e-4;
-    example.row = 1;
-    example.slot = "theta3";
-    example.expected = 1e-4 * 0.523598775598299;
-    return example;
+    return {WithValue(Request(3), "gain", 1e-4), 1, "theta3", 1e-4 * 0.523598775598299};
   }
 };
 

@@ -8,25 +8,25 @@
 
 #include <fmt/format.h>
 
-#include "core/physics/columns.h"
+#include "core/physics/joint_effect.h"
 #include "core/physics/step.h"
 
 namespace dhcal {
 namespace {
 
-class JointStepEffect final : public Effect {
+class JointStepEffect final : public JointEffect {
  public:
-  EffectDescription Describe() const override {
-    return {"joint_step",
-            "a joint's zero jumps once during the recording",
-            "d theta_j = s H(t - t0)",
-            "step [rad]",
-            {{"at_s", "instant on the clock"}, {"at_row", "instant without a clock"}},
-            "",
-            "0.1-1 mrad [physics.md T3]"};
-  }
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+  JointStepEffect()
+      : JointEffect({"joint_step",
+                     "a joint's zero jumps once during the recording",
+                     "d theta_j = s H(t - t0)",
+                     "step [rad]",
+                     InstantSettings(),
+                     "",
+                     "0.1-1 mrad [physics.md T3]"},
+                    {EffectClass::kStep, DriverKind::kTime}) {}
+
+  std::string NotTestableAt(const PhysicsContext& c, const EffectRequest& request) const override {
     return StepNotTestable(c, request);
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
@@ -35,10 +35,7 @@ class JointStepEffect final : public Effect {
         "step", "rad", 2e-4, c.joint_slot(JointIndex(request)), StepProfile(c, request))};
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    return StepCandidates(c, EveryJoint(c, "joint_step"));
-  }
-  EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& request) const override {
-    return {"C6", JointName(request.joint), "time"};
+    return StepCandidates(c, EveryJoint(c));
   }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
@@ -48,15 +45,7 @@ class JointStepEffect final : public Effect {
                        StepWords(request));
   }
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "joint_step";
-    example.request.joint = 3;
-    example.request.settings["at_s"] = 3600;
-    example.request.values["step"] = 2e-4;
-    example.row = 1;
-    example.slot = "theta3";
-    example.expected = 2e-4;
-    return example;
+    return {WithValue(WithSetting(Request(3), "at_s", 3600), "step", 2e-4), 1, "theta3", 2e-4};
   }
 };
 

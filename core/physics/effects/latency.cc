@@ -17,17 +17,15 @@ namespace {
 
 class LatencyEffect final : public Effect {
  public:
-  EffectDescription Describe() const override {
-    EffectDescription d{"latency",
-                        "joints and position were not read at the same instant",
-                        "d theta_j = -t qdot_j, all joints",
-                        "time [s]",
-                        {},
-                        "qd<j>_deg_s (or _rad_s)",
-                        "0.1-5 ms [physics.md D1]"};
-    d.has_joint = false;
-    return d;
-  }
+  LatencyEffect()
+      : Effect({"latency",
+                "joints and position were not read at the same instant",
+                "d theta_j = -t qdot_j, all joints",
+                "time [s]",
+                {},
+                "qd<j>_deg_s (or _rad_s)",
+                "0.1-5 ms [physics.md D1]"}) {}
+
   std::string NotTestable(const PhysicsContext& c,
                           const EffectRequest& /*request*/) const override {
     const Eigen::MatrixXd& speed = c.recording().speed;
@@ -46,13 +44,8 @@ class LatencyEffect final : public Effect {
     }
     return {column};
   }
-  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override {
-    EffectRequest request;
-    request.effect = "latency";
-    return {request};
-  }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
-    return {"timing", "sensor", "joint speed"};
+    return {EffectClass::kTiming, "sensor", {DriverKind::kJointSpeed}};
   }
   std::string Sentence(const EffectRequest& /*request*/,
                        const std::vector<EffectValue>& values) const override {
@@ -60,13 +53,7 @@ class LatencyEffect final : public Effect {
                        Quantity(Find(values, "time"), 1e-3, "ms"));
   }
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "latency";
-    example.request.values["time"] = 1e-3;
-    example.row = 1;
-    example.slot = "theta2";
-    example.expected = -5e-4;
-    return example;
+    return {WithValue(Request(), "time", 1e-3), 1, "theta2", -5e-4};
   }
 };
 

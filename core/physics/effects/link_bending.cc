@@ -14,8 +14,8 @@
 
 #include <fmt/format.h>
 
-#include "core/physics/columns.h"
 #include "core/physics/gravity.h"
+#include "core/physics/joint_effect.h"
 
 namespace dhcal {
 namespace {
@@ -53,20 +53,19 @@ Twist Bend(const PhysicsContext& c, const MassCase& mass_case, int row, int link
   return twist;
 }
 
-class LinkBendingEffect final : public Effect {
+class LinkBendingEffect final : public JointEffect {
  public:
-  EffectDescription Describe() const override {
-    return {"link_bending",
-            "a link bends under the weight beyond it",
-            "phi = (M L + e x F L^2/2)/EI, delta = (F L^3/3 + M x e L^2/2)/EI",
-            "flexibility 1/EI [1/(N m^2)]; without masses flexibility_x_<moment>",
-            {},
-            "robot.links for 1/EI itself",
-            "0.3-2e-6 1/(N m^2) [physics.md E3]"};
-  }
+  LinkBendingEffect()
+      : JointEffect({"link_bending",
+                     "a link bends under the weight beyond it",
+                     "phi = (M L + e x F L^2/2)/EI, delta = (F L^3/3 + M x e L^2/2)/EI",
+                     "flexibility 1/EI [1/(N m^2)]; without masses flexibility_x_<moment>",
+                     {},
+                     "robot.links for 1/EI itself",
+                     "0.3-2e-6 1/(N m^2) [physics.md E3]"},
+                    {EffectClass::kElastic, DriverKind::kGravityTorque}) {}
 
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+  std::string NotTestableAt(const PhysicsContext& c, const EffectRequest& request) const override {
     const int link = JointIndex(request);
     if (c.num_rows() == 0) return "there are no rows";
     const double length = (BeamStart(c, 0, link + 1) - BeamStart(c, 0, link)).norm();
@@ -103,16 +102,17 @@ class LinkBendingEffect final : public Effect {
   }
 
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    std::vector<EffectRequest> requests = EveryJoint(c, "link_bending");
-    // The column (link 1) stands; what bends it tilts it, as base_compliance does.
+    std::vector<EffectRequest> requests = EveryJoint(c);
+    // The column (link 1) stands; what bends it tilts it, as a base that yields does.
     if (!requests.empty()) requests.erase(requests.begin());
     return requests;
   }
 
   EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {
-    return {JointIndex(request) == FirstLoadedJoint(c) ? "C1" : "elastic",
+    const bool shoulder = JointIndex(request) == FirstLoadedJoint(c);
+    return {shoulder ? EffectClass::kShoulderLoad : EffectClass::kElastic,
             fmt::format("link {}", request.joint),
-            "gravity torque"};
+            {DriverKind::kGravityTorque, request.joint}};
   }
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
 
@@ -131,17 +131,10 @@ class LinkBendingEffect final : public Effect {
   }
 
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "link_bending";
-    example.request.joint = 2;
-    example.request.values["flexibility"] = 1e-6;
-    example.row = 0;
-    example.slot = "base_ry";
     // Row 0: 40 kg beyond link 2, all horizontal: 3 links... see the header of worked_example.h.
     // F = -400 N along z at L = 0.65 m; M about y = +100 N x (0.155 x 4) m = 62 N m.
     // phi_y = (62 x 0.65 + 400 x 0.65^2 / 2) x 1e-6 = (40.3 + 84.5) x 1e-6.
-    example.expected = 124.8e-6;
-    return example;
+    return {WithValue(Request(2), "flexibility", 1e-6), 0, "base_ry", 124.8e-6};
   }
 
  private:

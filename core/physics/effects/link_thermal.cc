@@ -12,25 +12,28 @@
 
 #include <fmt/format.h>
 
-#include "core/physics/columns.h"
 #include "core/physics/drift.h"
+#include "core/physics/joint_effect.h"
 
 namespace dhcal {
 namespace {
 
-class LinkThermalEffect final : public Effect {
+class LinkThermalEffect final : public JointEffect {
  public:
-  EffectDescription Describe() const override {
-    return {"link_thermal",
-            "a link grows as it warms up",
-            "d a_i = e a_i u, d d_i = e d_i u",
-            "expansion [1/K], or strain [1] without temperatures",
-            {{"time_constant_s", "by the clock; 0 = steadily"}},
-            "temperature_C, or t_s with time_constant_s",
-            "11-23e-6 1/K; 50-250e-6 per warm-up [physics.md T1]"};
-  }
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+  LinkThermalEffect()
+      : JointEffect({"link_thermal",
+                     "a link grows as it warms up",
+                     "d a_i = e a_i u, d d_i = e d_i u",
+                     "expansion [1/K], or strain [1] without temperatures",
+                     {TimeConstantSetting()},
+                     "temperature_C, or t_s with time_constant_s",
+                     "11-23e-6 1/K; 50-250e-6 per warm-up [physics.md T1]"},
+                    {EffectClass::kDrift,
+                     DriverKind::kTime,
+                     JointNeeds::kNothing,
+                     /*tries_sliding=*/true}) {}
+
+  std::string NotTestableAt(const PhysicsContext& c, const EffectRequest& request) const override {
     const JointRow& row = c.robot().joints[static_cast<std::size_t>(JointIndex(request))];
     if (std::hypot(row.a, row.d) < 0.05) return "the link has no length";
     return DriftNotTestable(c, request, JointIndex(request));
@@ -50,12 +53,10 @@ class LinkThermalEffect final : public Effect {
     return {column};
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    return DriftCandidates(c, EveryJoint(c, "link_thermal", /*revolute_only=*/false));
+    return DriftCandidates(c, EveryJoint(c));
   }
   EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {
-    return {"C5",
-            fmt::format("link {}", request.joint),
-            DriftByTime(c, request) ? "time" : "temperature"};
+    return {EffectClass::kDrift, fmt::format("link {}", request.joint), DriftDriver(c, request)};
   }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
@@ -71,14 +72,7 @@ class LinkThermalEffect final : public Effect {
                        Quantity(Find(values, "strain"), 1e-6, "ppm"));
   }
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "link_thermal";
-    example.request.joint = 2;
-    example.request.values["expansion"] = 20e-6;
-    example.row = 1;
-    example.slot = "a2";
-    example.expected = 0.13e-3;
-    return example;
+    return {WithValue(Request(2), "expansion", 20e-6), 1, "a2", 0.13e-3};
   }
 };
 

@@ -19,18 +19,8 @@ namespace {
 
 class SensorScaleEffect final : public Effect {
  public:
-  EffectDescription Describe() const override {
-    EffectDescription d{"sensor_scale",
-                        "the instrument's unit of length is off",
-                        "base_xyz += e p_WQ",
-                        "scale [1]",
-                        {},
-                        "",
-                        "1-50 ppm [physics.md S1, L1]; never visible with free lengths"};
-    d.has_joint = false;
-    d.may_be_named = false;
-    return d;
-  }
+  SensorScaleEffect() : Effect(About()) {}
+
   std::string NotTestable(const PhysicsContext& /*c*/,
                           const EffectRequest& /*request*/) const override {
     return "";
@@ -48,13 +38,8 @@ class SensorScaleEffect final : public Effect {
     }
     return {column};
   }
-  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override {
-    EffectRequest request;
-    request.effect = "sensor_scale";
-    return {request};
-  }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
-    return {"C7", "sensor", "distance"};
+    return {EffectClass::kLengthUnit, "sensor", {DriverKind::kPosition}};
   }
   std::string Sentence(const EffectRequest& /*request*/,
                        const std::vector<EffectValue>& values) const override {
@@ -63,13 +48,20 @@ class SensorScaleEffect final : public Effect {
   }
   WorkedExample Example() const override {
     // Row 0 of the example: flange down at z = 0.675 - 0.6 - 0.14 - 0.2 = -0.265 m.
-    WorkedExample example;
-    example.request.effect = "sensor_scale";
-    example.request.values["scale"] = 1e-5;
-    example.row = 0;
-    example.slot = "base_z";
-    example.expected = -2.65e-6;
-    return example;
+    return {WithValue(Request(), "scale", 1e-5), 0, "base_z", -2.65e-6};
+  }
+
+ private:
+  static EffectDescription About() {
+    EffectDescription d{"sensor_scale",
+                        "the instrument's unit of length is off",
+                        "base_xyz += e p_WQ",
+                        "scale [1]",
+                        {},
+                        "",
+                        "1-50 ppm [physics.md S1, L1]; never visible with free lengths"};
+    d.may_be_named = false;
+    return d;
   }
 };
 

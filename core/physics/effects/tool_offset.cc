@@ -11,7 +11,9 @@ namespace dhcal {
 
 const Effect& ToolOffset() {
   static const FrameEffect effect(
-      "tool_offset", "tool", "the measured point lies elsewhere on the flange than the file says");
+      "tool_offset",
+      ParameterGroup::kTool,
+      "the measured point lies elsewhere on the flange than the file says");
   return effect;
 }
 

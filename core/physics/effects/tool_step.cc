@@ -18,17 +18,15 @@ namespace {
 
 class ToolStepEffect final : public Effect {
  public:
-  EffectDescription Describe() const override {
-    EffectDescription d{"tool_step",
-                        "the measured point jumps once against the flange",
-                        "tool_xyz += (x, y, z) H(t - t0)",
-                        "x, y, z [m]",
-                        {{"at_s", "instant on the clock"}, {"at_row", "instant without a clock"}},
-                        "",
-                        "0.05-0.5 mm [physics.md T3]"};
-    d.has_joint = false;
-    return d;
-  }
+  ToolStepEffect()
+      : Effect({"tool_step",
+                "the measured point jumps once against the flange",
+                "tool_xyz += (x, y, z) H(t - t0)",
+                "x, y, z [m]",
+                InstantSettings(),
+                "",
+                "0.05-0.5 mm [physics.md T3]"}) {}
+
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
     return StepNotTestable(c, request);
   }
@@ -42,12 +40,10 @@ class ToolStepEffect final : public Effect {
     return columns;
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    EffectRequest request;
-    request.effect = "tool_step";
-    return StepCandidates(c, {request});
+    return StepCandidates(c, {Request()});
   }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
-    return {"C6", "tool", "time"};
+    return {EffectClass::kStep, "tool", {DriverKind::kTime}};
   }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
@@ -61,14 +57,7 @@ class ToolStepEffect final : public Effect {
     return text;
   }
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "tool_step";
-    example.request.settings["at_s"] = 3600;
-    example.request.values["x"] = 1e-4;
-    example.row = 1;
-    example.slot = "tool_x";
-    example.expected = 1e-4;
-    return example;
+    return {WithValue(WithSetting(Request(), "at_s", 3600), "x", 1e-4), 1, "tool_x", 1e-4};
   }
 };
 

@@ -3,25 +3,26 @@
 //   d theta_j = c3 tau_j^3                   c3 [rad/(N m)^3], tau_j [N m] gravity's torque
 //   d theta_j = c1 max(-T, min(tau_j, T))    c1 [rad/(N m)], with the setting soft_torque_Nm = T
 //
-// Added to joint_compliance it describes the soft zone of harmonic drives and cycloid gears (three
-// stiffness regions K1 < K2 < K3): smoothly, with c3 < 0 beside c > 0, or as the makers state it,
-// with the torque T up to which the gear is softer by c1. A small T is lost motion: play that
-// gravity takes up (backlash with flank = 1) looks the same, so its class is that of play. Needs
-// masses: neither is linear in unknown moments. Typical: K2/K1 = 1.3-1.6, so c3 tau^2 is about -0.1
-// c at the largest torque. Source: physics.md G4. Worked number: row 2 of the example, tau_3 = 0 N
-// m carried: see the conformance test.
+// Added to a linear compliance it describes the soft zone of harmonic drives and cycloid gears
+// (three stiffness regions K1 < K2 < K3): smoothly, with c3 < 0 beside c > 0, or as the makers
+// state it, with the torque T up to which the gear is softer by c1. A small T is lost motion: play
+// that gravity takes up looks the same, so its class is that of play. Needs masses: neither is
+// linear in unknown moments. Typical: K2/K1 = 1.3-1.6, so c3 tau^2 is about -0.1 c at the largest
+// torque. Source: physics.md G4. Worked number: row 2 of the example, tau_3 = 0 N m carried: see
+// the conformance test.
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "core/physics/columns.h"
 #include "core/physics/gravity.h"
+#include "core/physics/joint_effect.h"
 
 namespace dhcal {
 namespace {
 
 constexpr char kSoftTorque[] = "soft_torque_Nm";
 constexpr double kShortZone = 0.15;  // of the largest torque
+constexpr double kHalfWay = 1.7;     // to the neighbouring candidates
 
 Eigen::VectorXd Torque(const PhysicsContext& c, const EffectRequest& request) {
   const int joint = JointIndex(request);
@@ -36,21 +37,22 @@ bool IsLostMotion(const PhysicsContext& c, const EffectRequest& request) {
   return end > 0 && end < kShortZone * Torque(c, request).cwiseAbs().maxCoeff();
 }
 
-class TorsionNonlinearityEffect final : public Effect {
+class TorsionNonlinearityEffect final : public JointEffect {
  public:
-  EffectDescription Describe() const override {
-    return {"torsion_nonlinearity",
-            "a gear is softer around zero torque than under load",
-            "d theta_j = c3 tau_j^3, or c1 max(-T, min(tau_j, T))",
-            "cubic [rad/(N m)^3]; soft [rad/(N m)] with soft_torque_Nm",
-            {{"soft_torque_Nm", "T, end of the soft zone"},
-             {"measured_torque", "1 = use the torque column"}},
-            "robot.links, or torque<j>_Nm with measured_torque",
-            "a tenth of the linear yield at the largest torque [physics.md G4]"};
-  }
+  TorsionNonlinearityEffect()
+      : JointEffect({"torsion_nonlinearity",
+                     "a gear is softer around zero torque than under load",
+                     "d theta_j = c3 tau_j^3, or c1 max(-T, min(tau_j, T))",
+                     "cubic [rad/(N m)^3]; soft [rad/(N m)] with soft_torque_Nm",
+                     {Scanned(Number(kSoftTorque, "T, end of the soft zone"),
+                              SettingScan::kBetweenCandidates,
+                              kHalfWay),
+                      Flag("measured_torque", "1 = use the torque column")},
+                     "robot.links, or torque<j>_Nm with measured_torque",
+                     "a tenth of the linear yield at the largest torque [physics.md G4]"},
+                    {EffectClass::kElastic, DriverKind::kGravityTorque}) {}
 
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
+  std::string NotTestableAt(const PhysicsContext& c, const EffectRequest& request) const override {
     const int joint = JointIndex(request);
     if (request.setting("measured_torque", 0) != 0) {
       return HasMeasuredTorque(c, joint) ? "" : "the recording has no torque of this joint";
@@ -75,8 +77,7 @@ class TorsionNonlinearityEffect final : public Effect {
   }
 
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    std::vector<EffectRequest> candidates =
-        WithVariant(*this, c, EveryJoint(c, "torsion_nonlinearity"), "measured_torque");
+    std::vector<EffectRequest> candidates = WithVariant(*this, c, EveryJoint(c), "measured_torque");
     const std::size_t cubes = candidates.size();
     for (std::size_t k = 0; k < cubes; ++k) {
       const EffectRequest cube = candidates[k];
@@ -93,11 +94,11 @@ class TorsionNonlinearityEffect final : public Effect {
   EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {
     const bool lost_motion = IsLostMotion(c, request);
     const bool shoulder = JointIndex(request) == FirstLoadedJoint(c);
-    return {lost_motion ? "C4"
-            : shoulder  ? "C1"
-                        : "elastic",
+    return {lost_motion ? EffectClass::kLostMotion
+            : shoulder  ? EffectClass::kShoulderLoad
+                        : EffectClass::kElastic,
             JointName(request.joint),
-            "gravity torque"};
+            {DriverKind::kGravityTorque, request.joint}};
   }
   bool DependsOnPoseOnly(const EffectRequest& request) const override {
     return request.setting("measured_torque", 0) == 0;
@@ -119,15 +120,11 @@ class TorsionNonlinearityEffect final : public Effect {
   }
 
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "torsion_nonlinearity";
-    example.request.joint = 2;
-    example.request.settings["measured_torque"] = 1;
-    example.request.values["cubic"] = -1e-10;
-    example.row = 1;
-    example.slot = "theta2";
-    example.expected = 1e-4;  // (-100 N m)^3 x -1e-10
-    return example;
+    // (-100 N m)^3 x -1e-10
+    return {WithValue(WithSetting(Request(2), "measured_torque", 1), "cubic", -1e-10),
+            1,
+            "theta2",
+            1e-4};
   }
 };
 

@@ -16,7 +16,7 @@
 #include <fmt/format.h>
 
 #include "core/base/units.h"
-#include "core/physics/columns.h"
+#include "core/physics/joint_effect.h"
 
 namespace dhcal {
 namespace {
@@ -35,27 +35,17 @@ std::array<double, 4> CubicSplines(double f) {
           f * f * f / 6};
 }
 
-class TransmissionErrorEffect final : public Effect {
+class TransmissionErrorEffect final : public JointEffect {
  public:
-  EffectDescription Describe() const override {
-    EffectDescription d{
-        "transmission_error",
-        "a gear or encoder errs by a curve of the joint's own angle, at many orders at once",
-        "d theta_j = sum_k c_k B_k(q_j), cubic splines",
-        "at_<knot's angle in degrees> [rad]",
-        {{"knot_deg", "distance of knots in degrees, default 3"}},
-        "several significant lines of gear_harmonic at one joint",
-        "0.1-0.3 mrad RMS [physics.md G1-G3]"};
-    d.is_curve = true;
-    return d;
+  TransmissionErrorEffect()
+      : JointEffect(About(),
+                    {EffectClass::kGearLine, DriverKind::kJointAngle, JointNeeds::kTurningMotion}) {
   }
 
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
-    if (!c.revolute(JointIndex(request))) return "the joint is prismatic";
+  std::string NotTestableAt(const PhysicsContext& /*c*/,
+                            const EffectRequest& request) const override {
     const double knot_deg = request.setting("knot_deg", kDefaultKnot_deg);
-    if (!(knot_deg >= 0.5 && knot_deg <= 60)) return "knot_deg must be from 0.5 to 60";
-    return c.moves(JointIndex(request)) ? "" : "the joint does not move";
+    return knot_deg >= 0.5 && knot_deg <= 60 ? "" : "knot_deg must be from 0.5 to 60";
   }
 
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
@@ -93,10 +83,6 @@ class TransmissionErrorEffect final : public Effect {
   /// where a joint shows so many lines that no few orders are its cause.
   std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override { return {}; }
 
-  EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& request) const override {
-    return {"C8", JointName(request.joint), "joint angle"};
-  }
-
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     double mean = 0, square = 0;
@@ -117,14 +103,21 @@ class TransmissionErrorEffect final : public Effect {
   }
 
   WorkedExample Example() const override {
-    WorkedExample example;
-    example.request.effect = "transmission_error";
-    example.request.joint = 3;
-    example.request.values["at_30"] = 3e-4;
-    example.row = 1;
-    example.slot = "theta3";
-    example.expected = 2e-4;
-    return example;
+    return {WithValue(Request(3), "at_30", 3e-4), 1, "theta3", 2e-4};
+  }
+
+ private:
+  static EffectDescription About() {
+    EffectDescription d{
+        "transmission_error",
+        "a gear or encoder errs by a curve of the joint's own angle, at many orders at once",
+        "d theta_j = sum_k c_k B_k(q_j), cubic splines",
+        "at_<knot's angle in degrees> [rad]",
+        {Number("knot_deg", "distance of knots in degrees, default 3")},
+        "several significant lines of one joint's gear",
+        "0.1-0.3 mrad RMS [physics.md G1-G3]"};
+    d.is_curve = true;
+    return d;
   }
 };
 

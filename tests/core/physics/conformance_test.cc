@@ -44,7 +44,7 @@ class EffectConformance : public testing::TestWithParam<const Effect*> {
 };
 
 TEST_P(EffectConformance, DescribesItselfWithUnitsAndASource) {
-  const EffectDescription d = effect().Describe();
+  const EffectDescription& d = effect().Describe();
   EXPECT_FALSE(d.name.empty());
   EXPECT_THAT(d.summary, testing::SizeIs(testing::Gt(10)));
   EXPECT_FALSE(d.formula.empty());
@@ -113,9 +113,10 @@ TEST_P(EffectConformance, WeightsAreFiniteForEveryRowAndSlot) {
 TEST_P(EffectConformance, SaysWhereItSitsAndPutsItsSizeIntoWords) {
   const WorkedExample example = effect().Example();
   const EffectPlace place = effect().Place(context_, example.request);
-  EXPECT_FALSE(place.effect_class.empty());
+  EXPECT_EQ(place.effect_class == EffectClass::kGeometry,
+            effect().Describe().completes.has_value());
+  EXPECT_EQ(place.driver.kind == DriverKind::kConstant, effect().Describe().completes.has_value());
   EXPECT_FALSE(place.location.empty());
-  EXPECT_FALSE(place.driver.empty());
   std::vector<EffectValue> values;
   for (const EffectColumn& column : effect().Columns(context_, example.request)) {
     values.push_back({column.parameter, column.unit, 2 * column.typical, column.typical});

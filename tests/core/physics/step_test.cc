@@ -75,18 +75,6 @@ TEST(Step, WithoutAnInstantNamesTheSettingThatTheRecordingAllows) {
   EXPECT_EQ(WhyNoStep({{"at_row", 1}}), "needs the setting at_s");
 }
 
-TEST(EffectSettings, CountsAreWholeNumbersAndSwitchesOneOrZero) {
-  ASSERT_TRUE(WholeSetting("driver_joint", 6).has_value());
-  EXPECT_EQ(WholeSetting("driver_joint", 6)->high, 6);
-  for (const char* const flag : {"flank", "measured_torque", "free_masses"}) {
-    ASSERT_TRUE(WholeSetting(flag, 6).has_value()) << flag;
-    EXPECT_EQ(WholeSetting(flag, 6)->high, 1) << flag;
-  }
-  for (const char* const any : {"order", "time_constant_s", "at_s", "soft_torque_Nm"}) {
-    EXPECT_FALSE(WholeSetting(any, 6).has_value()) << any;
-  }
-}
-
 TEST(EffectDescriptions, SayWhatABalancerAndACouplingNeed) {
   EXPECT_NE(FindEffect("gravity_balancer")->Describe().needs, "");
   EXPECT_NE(FindEffect("joint_coupling")->Describe().needs, "");

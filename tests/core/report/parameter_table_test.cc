@@ -86,6 +86,7 @@ Result Diagnosed(DiagnosisVerdict verdict, const std::string& effect_class) {
   if (!effect_class.empty()) {
     result.diagnosis->findings.emplace_back();
     result.diagnosis->findings[0].effect_class = effect_class;
+    result.diagnosis->findings[0].is_geometry = effect_class == "geometry";
   }
   return result;
 }
