@@ -62,4 +62,7 @@ if(DHCAL_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
       CCACHE_NOHASHDIR=1
       CCACHE_SLOPPINESS=pch_defines,time_macros
       "${DHCAL_CCACHE}")
+  if(DHCAL_PCH AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_compile_options(-fpch-preprocess) # else ccache does not see which one a file was compiled with
+  endif()
 endif()

@@ -1,0 +1,7 @@
+#include "core/math/dense_instances.h"
+
+namespace Eigen {
+
+DHCAL_DENSE_INSTANCES(template)
+
+}  // namespace Eigen
