@@ -57,7 +57,6 @@ std::optional<FitAnalysis> Analyse(const Calibration& c, const Fit& fit) {
   if (!Linearize(&problem, &all, &readings)) return std::nullopt;
   analysis.num_residuals = NumPoses(c) * c.measurement->kind().num_coordinates();
   analysis.cost = all.cost;
-  analysis.readings_triangle = readings;
   analysis.identifiability = Identify(readings, all, problem.scales.tolerance, NumPoses(c));
   const auto by_ceres = CovarianceByCeres(analysis.identifiability.all, &problem);
   analysis.covariance_check = CompareSigmas(by_ceres, analysis.identifiability);

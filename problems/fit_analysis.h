@@ -8,7 +8,6 @@
 #include "core/analysis/ceres_covariance.h"
 #include "core/analysis/identifiability.h"
 #include "core/model/result.h"
-#include "core/solver/linearization.h"
 #include "problems/calibration.h"
 #include "problems/fit.h"
 
@@ -21,7 +20,6 @@ struct FitAnalysis {
   double degrees_of_freedom = kNotSet;  // of the noise estimate; infinite when given
   int num_residuals = 0;                // readings' coordinates, without priors
   double cost = kNotSet;                // at the solution, readings and priors
-  Linearization readings_triangle;      // of the readings alone
   CovarianceCheck covariance_check;
 };
 
