@@ -133,10 +133,16 @@ Eigen::Isometry3d DhChain::FlangePose(const Eigen::Ref<const Eigen::VectorXd>& q
 
 std::vector<Eigen::Isometry3d> DhChain::LinkFrames(
     const Eigen::Ref<const Eigen::VectorXd>& q) const {
-  const Eigen::VectorXd no_delta = Eigen::VectorXd::Zero(slots_.size());
+  return LinkFrames(q, Eigen::VectorXd::Zero(slots_.size()));
+}
+
+std::vector<Eigen::Isometry3d> DhChain::LinkFrames(
+    const Eigen::Ref<const Eigen::VectorXd>& q,
+    const Eigen::Ref<const Eigen::VectorXd>& delta) const {
+  const Eigen::VectorXd perturbed = delta;
   std::vector<Eigen::Isometry3d> frames{Eigen::Isometry3d::Identity()};
   for (int i = 0; i < num_joints(); ++i) {
-    frames.push_back(frames.back() * LinkTransform<double>(RowAt<double>(i, q[i], no_delta)));
+    frames.push_back(frames.back() * LinkTransform<double>(RowAt<double>(i, q[i], perturbed)));
   }
   return frames;
 }

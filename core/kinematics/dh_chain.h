@@ -62,6 +62,9 @@ class DhChain {
 
   /// Frames in the base of the base itself and of every link, n + 1 in order: X_BB, X_BL1, ...
   std::vector<Eigen::Isometry3d> LinkFrames(const Eigen::Ref<const Eigen::VectorXd>& q) const;
+  /// The same with `delta` (slots().size()) added to the joints' slots.
+  std::vector<Eigen::Isometry3d> LinkFrames(const Eigen::Ref<const Eigen::VectorXd>& q,
+                                            const Eigen::Ref<const Eigen::VectorXd>& delta) const;
 
  private:
   template <typename T>

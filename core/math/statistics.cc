@@ -48,6 +48,23 @@ double RemovalTail(double Q, double k, double rss, double nu, bool sigma_known) 
   return FTail(Q / k / (std::max(rss - Q, 1e-300) / rest), k, rest);
 }
 
+double LogChiSquareTail(double x, double dof) {
+  const double tail = ChiSquareTail(std::max(x, 0.0), dof);
+  if (tail > 1e-290) return std::log(tail);
+  // First terms of the asymptotic series of the incomplete gamma function.
+  const double a = dof / 2, half = x / 2;
+  return (a - 1) * std::log(half) - half - std::lgamma(a) + std::log1p((a - 1) / half);
+}
+
+double LogFTail(double x, double k, double nu) {
+  const double tail = FTail(std::max(x, 0.0), k, nu);
+  if (tail > 1e-290) return std::log(tail);
+  // First terms of the incomplete beta function's series at z = nu / (nu + k x).
+  const double a = nu / 2, b = k / 2, z = nu / (nu + k * x);
+  return a * std::log(z) + b * std::log1p(-z) - std::log(a) + std::lgamma(a + b) - std::lgamma(a) -
+         std::lgamma(b) + std::log1p((a + b) / (a + 1) * z);
+}
+
 double ChiSquareScore(double mean_square, double dof) {
   const double spread = 2 / (9 * dof);
   return (std::cbrt(Statistic(mean_square)) - (1 - spread)) / std::sqrt(spread);

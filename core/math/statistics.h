@@ -22,6 +22,10 @@ double FTail(double x, double k, double nu);
 /// unknown size, and one is the answer where nothing is left to judge by.
 double RemovalTail(double Q, double k, double rss, double nu, bool sigma_known = false);
 
+/// Logarithms of the same tails, finite where the probabilities are below the smallest number.
+double LogChiSquareTail(double x, double dof);
+double LogFTail(double x, double k, double nu);
+
 /// The standard normal score (finite; the lowest where the statistic is no number) of a chi-square
 /// variable with `dof` degrees of freedom, given as its
 /// mean square x / dof (Wilson and Hilferty 1931).

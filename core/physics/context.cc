@@ -51,18 +51,43 @@ class LastMotion {
 PhysicsContext::PhysicsContext(const RobotModel& robot,
                                const Recording& recording,
                                std::vector<Eigen::Isometry3d> X_WB)
+    : PhysicsContext(
+          robot,
+          recording,
+          std::move(X_WB),
+          Eigen::MatrixXd::Zero(SlotLayout(robot.num_joints()).size(), recording.num_rows())) {}
+
+PhysicsContext::PhysicsContext(const RobotModel& robot,
+                               const Recording& recording,
+                               std::vector<Eigen::Isometry3d> X_WB,
+                               const Eigen::MatrixXd& deltas)
     : robot_(robot), recording_(recording), chain_(robot), X_WB_(std::move(X_WB)) {
   CHECK(!X_WB_.empty());
+  CHECK_EQ(deltas.rows(), slots().size());
+  CHECK_EQ(deltas.cols(), num_rows());
   frames_.reserve(static_cast<std::size_t>(num_rows()) *
                   static_cast<std::size_t>(num_joints() + 1));
   for (int k = 0; k < num_rows(); ++k) {
-    const auto frames = chain_.LinkFrames(recording_.q.row(k).transpose());
+    const auto frames = chain_.LinkFrames(recording_.q.row(k).transpose(), deltas.col(k));
     frames_.insert(frames_.end(), frames.begin(), frames.end());
   }
   FillMoves();
   FillDirections();
   FillClock();
 }
+
+PhysicsContext::PhysicsContext(const PhysicsContext& other, const RobotModel& with_masses)
+    : robot_(with_masses),
+      recording_(other.recording_),
+      chain_(other.chain_),
+      X_WB_(other.X_WB_),
+      frames_(other.frames_),
+      moves_(other.moves_),
+      direction_(other.direction_),
+      clock_(other.clock_),
+      drift_clock_(other.drift_clock_),
+      has_one_clock_(other.has_one_clock_),
+      duration_(other.duration_) {}
 
 const Eigen::Isometry3d& PhysicsContext::X_TQ(int row_idx) const {
   if (!recording_.target_idx.empty()) {

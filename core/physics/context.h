@@ -21,7 +21,8 @@ struct Twist {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();           // [m]
 };
 
-/// Immutable. Joints and links count from 0 here. Everything is at the nominal robot.
+/// Immutable. Joints and links count from 0 here. Everything is at the nominal robot, unless the
+/// context was made at another state of it.
 class PhysicsContext {
  public:
   /// `X_WB`: base of each run (one entry = the same for all). `robot` and `recording` must
@@ -29,6 +30,14 @@ class PhysicsContext {
   PhysicsContext(const RobotModel& robot,
                  const Recording& recording,
                  std::vector<Eigen::Isometry3d> X_WB);
+  /// At the robot as it stands: `deltas` (slots x rows) are added to the joints' slots. Loads and
+  /// axes of a robot that bends are those of the bent one.
+  PhysicsContext(const RobotModel& robot,
+                 const Recording& recording,
+                 std::vector<Eigen::Isometry3d> X_WB,
+                 const Eigen::MatrixXd& deltas);
+  /// The same circumstances of a robot that differs in its masses only.
+  PhysicsContext(const PhysicsContext& other, const RobotModel& with_masses);
 
   const RobotModel& robot() const { return robot_; }
   const Recording& recording() const { return recording_; }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include <Eigen/Cholesky>
 #include <glog/logging.h>
 
 namespace dhcal {
@@ -12,33 +13,54 @@ bool IsShared(const Calibration& c) {
   return c.measurement->kind().pairs && c.spec.measurement.noise == NoiseKind::kSharedPose;
 }
 
-PoseWithDerivatives PoseAt(const Calibration& c, const Eigen::VectorXd& state, int row) {
-  PoseWithDerivatives pose;
-  c.chain.PoseAndDerivatives(c.recording.q.row(row).transpose(),
-                             c.SlotDeltas(state, row),
-                             c.frames.ends(c.recording.run(row), c.Target(row)),
-                             &pose);
-  return pose;
-}
-
-/// Whitened derivative of a reading by all slots of a pose, from that by the pose's twist.
+/// Derivative of a reading by all slots of a pose, from that by the pose's twist.
 Eigen::MatrixXd BySlots(const ReadingComparison::TwistRows& by_twist,
-                        const PoseWithDerivatives& pose,
-                        const Eigen::VectorXd& inverse_sigma) {
-  return inverse_sigma.asDiagonal() *
-         (by_twist.leftCols<3>() * pose.J_p + by_twist.rightCols<3>() * pose.J_w);
+                        const PoseWithDerivatives& pose) {
+  return by_twist.leftCols<3>() * pose.J_p + by_twist.rightCols<3>() * pose.J_w;
 }
 
-/// One over the standard deviation of each coordinate of a row's reading.
-Eigen::VectorXd InverseSigmas(const Calibration& c, const Noise& noise, int row) {
+/// Standard deviation of each coordinate of a row's reading.
+Eigen::VectorXd Sigmas(const Calibration& c, const Noise& noise, int row) {
   const std::vector<MeasuredCoordinate>& coordinates = c.measurement->kind().coordinates;
-  Eigen::VectorXd inverse(static_cast<Eigen::Index>(coordinates.size()));
+  Eigen::VectorXd sigma(static_cast<Eigen::Index>(coordinates.size()));
   for (std::size_t k = 0; k < coordinates.size(); ++k) {
     const bool length = coordinates[k].unit == Unit::kMetre;
-    inverse[static_cast<Eigen::Index>(k)] =
-        1 / (length ? c.RowSigma(row, noise) : noise.sigma_rotation);
+    sigma[static_cast<Eigen::Index>(k)] = length ? c.RowSigma(row, noise) : noise.sigma_rotation;
   }
-  return inverse;
+  return sigma;
+}
+
+/// Rows in standard deviations: divided by the square root of `extra` + diag(sigma^2), times root.
+void Whiten(const Eigen::MatrixXd& extra,
+            const Eigen::VectorXd& sigma,
+            double root,
+            Eigen::VectorXd* y,
+            Eigen::MatrixXd* J) {
+  if (extra.isZero(0)) {
+    const Eigen::VectorXd scale = root * sigma.cwiseInverse();
+    *y = scale.cwiseProduct(*y);
+    *J = scale.asDiagonal() * *J;
+    return;
+  }
+  Eigen::MatrixXd covariance = extra;
+  covariance.diagonal() += sigma.cwiseAbs2();
+  const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
+  *y = root * factor.matrixL().solve(*y);
+  *J = root * factor.matrixL().solve(*J);
+}
+
+/// What a state adds to the slots of the rows that are read.
+Eigen::MatrixXd DeltasAt(const Calibration& c,
+                         const Eigen::VectorXd& state,
+                         const std::vector<Reading>& readings) {
+  Eigen::MatrixXd deltas = Eigen::MatrixXd::Zero(c.chain.slots().size(), c.recording.num_rows());
+  for (const Reading& reading : readings) {
+    deltas.col(reading.row_idx) = c.SlotDeltas(state, reading.row_idx);
+    if (reading.previous_idx >= 0) {
+      deltas.col(reading.previous_idx) = c.SlotDeltas(state, reading.previous_idx);
+    }
+  }
+  return deltas;
 }
 
 }  // namespace
@@ -47,7 +69,16 @@ DesignRows::DesignRows(const Calibration& c,
                        const Eigen::VectorXd& state,
                        const Noise& noise,
                        const std::vector<Reading>& readings)
-    : c_(c), coordinates_(c.measurement->kind().num_coordinates()) {
+    : DesignRows(c, DeltasAt(c, state, readings), RowWeights{noise, {}, {}}, readings) {}
+
+DesignRows::DesignRows(const Calibration& c,
+                       const Eigen::MatrixXd& deltas,
+                       const RowWeights& weights,
+                       const std::vector<Reading>& readings)
+    : c_(c),
+      deltas_(deltas),
+      weights_(weights),
+      coordinates_(c.measurement->kind().num_coordinates()) {
   // A series has one row more than it has differences; at most each difference is a series.
   const auto most =
       static_cast<Eigen::Index>(readings.size()) * coordinates_ * (IsShared(c) ? 2 : 1);
@@ -57,14 +88,41 @@ DesignRows::DesignRows(const Calibration& c,
     before_.resize(most, c.chain.slots().size());
   }
   if (IsShared(c)) {
-    AddSeries(state, readings, noise);
+    AddSeries(readings);
   } else {
-    for (const Reading& reading : readings) AddReading(state, reading, noise);
+    for (const Reading& reading : readings) AddReading(reading);
   }
   y_.conservativeResize(filled_);
   TakeOutOffsets(&y_);
   now_.conservativeResize(filled_, Eigen::NoChange);
   if (before_.rows() > 0) before_.conservativeResize(filled_, Eigen::NoChange);
+}
+
+PoseWithDerivatives DesignRows::PoseAt(int row) const {
+  PoseWithDerivatives pose;
+  c_.chain.PoseAndDerivatives(c_.recording.q.row(row).transpose(),
+                              deltas_.col(row),
+                              c_.frames.ends(c_.recording.run(row), c_.Target(row)),
+                              &pose);
+  return pose;
+}
+
+double DesignRows::RootWeight(int row) const {
+  return weights_.weight.size() == 0 ? 1.0 : std::sqrt(weights_.weight[row]);
+}
+
+Eigen::MatrixXd DesignRows::Rounding(const Eigen::MatrixXd& J) const {
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(J.rows(), J.rows());
+  for (int joint = 0; joint < weights_.quantum.size(); ++joint) {
+    const double variance = weights_.quantum[joint] * weights_.quantum[joint] / 12;
+    if (variance == 0) continue;
+    const bool turns =
+        c_.spec.robot.joints[static_cast<std::size_t>(joint)].type == JointType::kRevolute;
+    const Eigen::VectorXd column =
+        J.col(c_.chain.slots().joint(joint, turns ? JointSlot::kTheta : JointSlot::kD));
+    covariance += variance * column * column.transpose();
+  }
+  return covariance;
 }
 
 void DesignRows::Append(const Eigen::VectorXd& y,
@@ -82,29 +140,33 @@ void DesignRows::Append(const Eigen::VectorXd& y,
   filled_ += static_cast<int>(y.size());
 }
 
-void DesignRows::AddReading(const Eigen::VectorXd& state,
-                            const Reading& reading,
-                            const Noise& noise) {
+void DesignRows::AddReading(const Reading& reading) {
   const bool pair = reading.previous_idx >= 0;
-  const PoseWithDerivatives now = PoseAt(c_, state, reading.row_idx);
-  const PoseWithDerivatives before =
-      PoseAt(c_, state, pair ? reading.previous_idx : reading.row_idx);
+  const PoseWithDerivatives now = PoseAt(reading.row_idx);
+  const PoseWithDerivatives before = PoseAt(pair ? reading.previous_idx : reading.row_idx);
   const SeenPose seen{now.p_WQ, now.R_WQ}, seen_before{before.p_WQ, before.R_WQ};
   ReadingComparison comparison(coordinates_);
   // Where it has no derivative (a wire of no length) the row stays zero and tells nothing.
   c_.measurement->Compare(reading, seen, pair ? &seen_before : nullptr, &comparison);
-  const Eigen::VectorXd inverse_sigma = InverseSigmas(c_, noise, reading.row_idx);
-  const Eigen::VectorXd y = -inverse_sigma.cwiseProduct(comparison.difference);
-  const Eigen::MatrixXd J_now = BySlots(comparison.by_now, now, inverse_sigma);
-  if (before_.rows() == 0) return Append(y, J_now, reading.row_idx, nullptr, -1);
-  // The reading grows with the pose before by minus this.
-  const Eigen::MatrixXd J_before = -BySlots(comparison.by_before, before, inverse_sigma);
-  Append(y, J_now, reading.row_idx, &J_before, pair ? reading.previous_idx : reading.row_idx);
+  Eigen::VectorXd y = -comparison.difference;
+  // The reading grows with the pose before by minus its column.
+  const Eigen::Index slots = now.J_p.cols();
+  Eigen::MatrixXd J(coordinates_, (before_.rows() > 0 ? 2 : 1) * slots);
+  J.leftCols(slots) = BySlots(comparison.by_now, now);
+  Eigen::MatrixXd rounding = Rounding(J.leftCols(slots));
+  if (before_.rows() > 0) {
+    J.rightCols(slots) = -BySlots(comparison.by_before, before);
+    rounding += Rounding(J.rightCols(slots));
+  }
+  const Eigen::VectorXd sigma = Sigmas(c_, weights_.noise, reading.row_idx);
+  Whiten(rounding, sigma, RootWeight(reading.row_idx), &y, &J);
+  if (before_.rows() == 0) return Append(y, J, reading.row_idx, nullptr, -1);
+  const Eigen::MatrixXd J_before = J.rightCols(slots);
+  Append(y, J.leftCols(slots), reading.row_idx, &J_before,
+         pair ? reading.previous_idx : reading.row_idx);
 }
 
-void DesignRows::AddSeries(const Eigen::VectorXd& state,
-                           const std::vector<Reading>& readings,
-                           const Noise& noise) {
+void DesignRows::AddSeries(const std::vector<Reading>& readings) {
   struct Last {
     int series = -1;                              // none: anchored, without an offset
     Eigen::Vector3d y = Eigen::Vector3d::Zero();  // [m] up to the series' offset
@@ -113,8 +175,11 @@ void DesignRows::AddSeries(const Eigen::VectorXd& state,
   std::vector<Eigen::Triplet<double>> offsets;
   std::vector<double> length2;  // of each series' offsets
   const auto add = [&](int row, const Last& last) {
-    const double sigma = c_.RowSigma(row, noise);
-    const PoseWithDerivatives pose = PoseAt(c_, state, row);
+    const PoseWithDerivatives pose = PoseAt(row);
+    // One number per row, so that what the offsets take stays a mean of rows.
+    const double rounding = Rounding(pose.J_p).trace() / 3;
+    const double sigma =
+        std::hypot(c_.RowSigma(row, weights_.noise), std::sqrt(rounding)) / RootWeight(row);
     const Eigen::VectorXd y = (last.y - pose.p_WQ) / sigma;
     if (last.series >= 0) {
       for (int k = 0; k < 3; ++k) offsets.emplace_back(filled_ + k, 3 * last.series + k, 1 / sigma);
@@ -134,7 +199,7 @@ void DesignRows::AddSeries(const Eigen::VectorXd& state,
     if (of_row.count(reading.previous_idx) == 0) {
       Last first;
       first.series = num_series_++;
-      first.y = PoseAt(c_, state, reading.previous_idx).p_WQ;
+      first.y = PoseAt(reading.previous_idx).p_WQ;
       add(reading.previous_idx, first);
     }
     Last next = of_row.at(reading.previous_idx);

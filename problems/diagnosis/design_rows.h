@@ -16,13 +16,29 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include "core/kinematics/dh_chain.h"
 #include "core/physics/effect.h"
 #include "problems/calibration.h"
 
 namespace dhcal {
 
+/// What whitens the readings.
+struct RowWeights {
+  Noise noise;
+  /// Last digit of each joint's coordinate [rad or m]; zero, or empty, where it is exact. Rounding
+  /// is noise of the joint: a reading's covariance is sigma^2 I + J_q diag(quantum^2 / 12) J_q'.
+  Eigen::VectorXd quantum;
+  /// Weight of each recording row's squares; empty = 1.
+  Eigen::VectorXd weight;
+};
+
 class DesignRows {
  public:
+  /// `deltas` (slots x recording rows): what the model adds to every slot in each row.
+  DesignRows(const Calibration& calibration,
+             const Eigen::MatrixXd& deltas,
+             const RowWeights& weights,
+             const std::vector<Reading>& readings);
   /// `readings`: those to use, of the calibration; at `state`.
   DesignRows(const Calibration& calibration,
              const Eigen::VectorXd& state,
@@ -64,10 +80,12 @@ class DesignRows {
   const std::vector<int>& before_row() const { return before_row_; }
 
  private:
-  void AddReading(const Eigen::VectorXd& state, const Reading& reading, const Noise& noise);
-  void AddSeries(const Eigen::VectorXd& state,
-                 const std::vector<Reading>& readings,
-                 const Noise& noise);
+  PoseWithDerivatives PoseAt(int row) const;
+  void AddReading(const Reading& reading);
+  void AddSeries(const std::vector<Reading>& readings);
+  /// Covariance that the rounding of joint coordinates gives to rows with these derivatives.
+  Eigen::MatrixXd Rounding(const Eigen::MatrixXd& J) const;
+  double RootWeight(int row) const;
   /// v without what the offsets of the series can take of it.
   void TakeOutOffsets(Eigen::VectorXd* v) const {
     if (num_series_ > 0) *v -= offsets_ * (offsets_.transpose() * *v);
@@ -79,6 +97,8 @@ class DesignRows {
               int before_row);
 
   const Calibration& c_;
+  Eigen::MatrixXd deltas_;
+  RowWeights weights_;
   int coordinates_;
   int filled_ = 0;
   Eigen::VectorXd y_;

@@ -70,25 +70,27 @@ Recording PosesElsewhere(const Recording& recording, const RobotModel& robot, in
 
 Elsewhere::Elsewhere(const Calibration& calibration,
                      const VectorXd& state,
-                     const HypothesisSpace& space,
+                     const PhysicsContext& context,
+                     const DesignRows& rows,
                      const std::vector<Parameter>& geometry)
     : c_(calibration),
       state_(state),
-      space_(space),
+      context_(context),
+      rows_(rows),
       geometry_(OfSlots(geometry)),
       tolerance_(ScalesOf(geometry_).tolerance),
       poses_(PosesElsewhere(calibration.recording, calibration.spec.robot, kUnseenPoses)) {
-  J_ = space.rows().Geometry(geometry_) * tolerance_.asDiagonal();
+  J_ = rows.Geometry(geometry_) * tolerance_.asDiagonal();
   MatrixXd normal = J_.transpose() * J_;
   normal.diagonal().array() += 1;
   normal_ = normal.llt().solve(MatrixXd::Identity(normal.rows(), normal.cols()));
 }
 
 MatrixXd Elsewhere::Raw(const EffectRequest& request) const {
-  const std::vector<EffectColumn> columns = EffectColumns(space_.context(), request);
-  MatrixXd raw(space_.rows().num_rows(), static_cast<Index>(columns.size()));
+  const std::vector<EffectColumn> columns = EffectColumns(context_, request);
+  MatrixXd raw(rows_.num_rows(), static_cast<Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    raw.col(static_cast<Index>(k)) = columns[k].typical * space_.rows().Column(columns[k].slots);
+    raw.col(static_cast<Index>(k)) = columns[k].typical * rows_.Column(columns[k].slots);
   }
   return raw;
 }
@@ -103,7 +105,7 @@ MatrixXd Elsewhere::Moves(const EffectRequest& request,
   const PhysicsContext there(c_.spec.robot, poses, {c_.frames.base(0)});
   // The recording's columns in their sizes: elsewhere the typical size may be another, and a column
   // may be missing (of the payload, where it does not vary), or have come in.
-  const std::vector<EffectColumn> here = EffectColumns(space_.context(), request);
+  const std::vector<EffectColumn> here = EffectColumns(context_, request);
   const std::vector<EffectColumn> columns = EffectColumns(there, request);
   MatrixXd moves(3 * poses.num_rows(), static_cast<Index>(here.size()));
   PoseWithDerivatives pose;
@@ -129,30 +131,29 @@ MatrixXd Elsewhere::Moves(const EffectRequest& request,
   return moves;
 }
 
-HiddenRisk Elsewhere::Risk(int hypothesis,
+HiddenRisk Elsewhere::Risk(const EffectRequest& request,
                            const MatrixXd& basis,
                            const VectorXd& y,
                            double sigma_scale) const {
-  const Hypothesis& h = space_.all()[static_cast<std::size_t>(hypothesis)];
   HiddenRisk risk;
-  risk.effect = h.request;
-  const std::vector<EffectColumn> columns = EffectColumns(space_.context(), h.request);
+  risk.effect = request;
+  const std::vector<EffectColumn> columns = EffectColumns(context_, request);
   risk.unit = columns.front().unit;
-  const MatrixXd raw = Raw(h.request);
-  const MatrixXd X = ProjectOff(basis, space_.Projected(hypothesis));
+  const MatrixXd raw = Raw(request);
+  const MatrixXd X = ProjectOff(basis, raw);
   const double seen = X.col(0).norm();
   risk.visibility = raw.col(0).norm() > 0 ? seen / raw.col(0).norm() : 0;
   if (risk.visibility > 1e-3) {
     risk.limit = sigma_scale * std::sqrt(kDetection) / seen * columns.front().typical;
   }
-  if (!DependsOnPoseOnly(h.request)) return risk;
+  if (!DependsOnPoseOnly(request)) return risk;
   // The effect's size with the geometry free, and a prior of a few typical sizes.
   MatrixXd precision = X.transpose() * X / (sigma_scale * sigma_scale);
   precision.diagonal().array() += 1 / (kTypicalToPrior * kTypicalToPrior);
   const MatrixXd covariance =
       precision.llt().solve(MatrixXd::Identity(precision.rows(), precision.cols()));
   const VectorXd size = covariance * (X.transpose() * y) / (sigma_scale * sigma_scale);
-  const MatrixXd moves = Moves(h.request, Absorbed(raw), poses_);
+  const MatrixXd moves = Moves(request, Absorbed(raw), poses_);
   risk.risk = 0;
   for (int row = 0; row < poses_.num_rows(); ++row) {
     const MatrixXd D = moves.middleRows(3 * row, 3);
@@ -164,17 +165,24 @@ HiddenRisk Elsewhere::Risk(int hypothesis,
   return risk;
 }
 
-Elsewhere::Split Elsewhere::PosesThatSplit(int one, int other) const {
+Elsewhere::Split Elsewhere::PosesThatSplit(const EffectRequest& first,
+                                           const VectorXd& value,
+                                           const EffectRequest& second) const {
   Split split;
-  const EffectRequest& first = space_.all()[static_cast<std::size_t>(one)].request;
-  const EffectRequest& second = space_.all()[static_cast<std::size_t>(other)].request;
   if (!DependsOnPoseOnly(first) || !DependsOnPoseOnly(second)) return split;
-  // How the first looks in the fit, and the best imitation by the second.
-  const MatrixXd X1 = space_.Projected(one), X2 = space_.Projected(other);
-  const VectorXd size = X1.completeOrthogonalDecomposition().solve(space_.y());
-  const VectorXd imitation = X2.completeOrthogonalDecomposition().solve(X1 * size);
+  const std::vector<EffectColumn> columns = EffectColumns(context_, first);
+  VectorXd size(value.size());
+  for (Index k = 0; k < size.size(); ++k) {
+    size[k] = value[k] / columns[static_cast<std::size_t>(k)].typical;
+  }
+  // The best imitation by the second, beside what the geometry takes of both.
   const MatrixXd raw1 = Raw(first), raw2 = Raw(second);
-  const MatrixXd absorbed = Absorbed(raw1 * size - raw2 * imitation);
+  const MatrixXd taken = tolerance_.cwiseInverse().asDiagonal() * Absorbed(raw2);
+  const MatrixXd seen2 = raw2 - J_ * taken;
+  const VectorXd moved1 = raw1 * size;
+  const VectorXd seen1 = moved1 - J_ * (normal_ * (J_.transpose() * moved1));
+  const VectorXd imitation = seen2.completeOrthogonalDecomposition().solve(seen1);
+  const MatrixXd absorbed = Absorbed(moved1 - raw2 * imitation);
   const auto difference = [&](const Recording& poses) {
     const MatrixXd none = MatrixXd::Zero(tolerance_.size(), std::max(raw1.cols(), raw2.cols()));
     VectorXd moved = Moves(first, none, poses) * size - Moves(second, none, poses) * imitation;

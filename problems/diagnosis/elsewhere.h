@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "core/model/diagnosis.h"
-#include "problems/diagnosis/hypotheses.h"
+#include "core/physics/context.h"
+#include "problems/calibration.h"
+#include "problems/diagnosis/design_rows.h"
 
 namespace dhcal {
 
@@ -16,28 +18,31 @@ Recording PosesElsewhere(const Recording& recording, const RobotModel& robot, in
 
 class Elsewhere {
  public:
-  /// The first three must outlive this. `geometry`: parameters that may take up a part of an
-  /// effect; effects that the problem file switches on stay as they are.
+  /// All but the last must outlive this. `rows` are those of `context`. `geometry`: parameters that
+  /// may take up a part of an effect; effects that the problem file switches on stay as they are.
   Elsewhere(const Calibration& calibration,
             const Eigen::VectorXd& state,
-            const HypothesisSpace& space,
+            const PhysicsContext& context,
+            const DesignRows& rows,
             const std::vector<Parameter>& geometry);
 
-  /// Visibility, limit and risk of a named hypothesis beside the basis of what is accepted; `y`:
-  /// the rows projected off that. May run on several threads at once.
-  HiddenRisk Risk(int hypothesis,
+  /// Visibility, limit and risk of an effect beside the basis of geometry and what is accepted;
+  /// `y`: the rows projected off that. May run on several threads at once.
+  HiddenRisk Risk(const EffectRequest& request,
                   const Eigen::MatrixXd& basis,
                   const Eigen::VectorXd& y,
                   double sigma_scale) const;
 
-  /// Poses at which `one`, as large as it is in the fit, differs most from the best that geometry
-  /// and `other` can do with the recorded rows. Largest first, with the difference [m].
+  /// Poses at which `first`, with these parameters, differs most from the best that geometry
+  /// and `second` can do with the recorded rows. Largest first, with the difference [m].
   struct Split {
     std::vector<SeparatingPose> poses;
     double largest = 0;       // [m]
     double with_payload = 0;  // [m] at the recorded poses with another payload; 0 = no such
   };
-  Split PosesThatSplit(int one, int other) const;
+  Split PosesThatSplit(const EffectRequest& first,
+                       const Eigen::VectorXd& value,
+                       const EffectRequest& second) const;
 
  private:
   /// d p_WQ / d parameter of a hypothesis elsewhere, less what the geometry that fits the recorded
@@ -51,7 +56,8 @@ class Elsewhere {
 
   const Calibration& c_;
   const Eigen::VectorXd& state_;
-  const HypothesisSpace& space_;
+  const PhysicsContext& context_;
+  const DesignRows& rows_;
   std::vector<Parameter> geometry_;
   Eigen::MatrixXd J_;       // whitened, times tolerance
   Eigen::MatrixXd normal_;  // (J'J + I)^-1

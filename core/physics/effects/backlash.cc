@@ -59,11 +59,13 @@ class BacklashEffect final : public Effect {
                                     const EffectRequest& request) const override {
     const int joint = JointIndex(request);
     const bool turns = c.revolute(joint);
-    return {SlotColumn("width",
-                       turns ? "rad" : "m",
-                       turns ? kTypicalAngle : kTypicalLength,
-                       c.joint_slot(joint),
-                       0.5 * Flank(c, request))};
+    EffectColumn width = SlotColumn("width",
+                                    turns ? "rad" : "m",
+                                    turns ? kTypicalAngle : kTypicalLength,
+                                    c.joint_slot(joint),
+                                    0.5 * Flank(c, request));
+    width.positive = true;
+    return {width};
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
     return WithVariant(*this, c, EveryJoint(c, "backlash", /*revolute_only=*/false), "flank");

@@ -133,5 +133,19 @@ TEST(RobustScale, FindsSigmaInSpiteOfOutliers) {
   EXPECT_NEAR(RobustScale(values), 0.02, 0.02 * 0.05);
 }
 
+TEST(Statistics, LogarithmsOfTailsContinueWhereTailsEnd) {
+  for (const double dof : {1.0, 2.0, 3.0, 12.0}) {
+    EXPECT_NEAR(LogChiSquareTail(20, dof), std::log(ChiSquareTail(20, dof)), 1e-9);
+    // Across the switch at 1e-290 the slope stays that of exp(-x/2).
+    const double below = LogChiSquareTail(1200, dof), above = LogChiSquareTail(1500, dof);
+    EXPECT_NEAR(above - below, -150 + (dof / 2 - 1) * std::log(1500.0 / 1200), 0.01) << dof;
+  }
+  EXPECT_NEAR(LogChiSquareTail(4000, 2), -2000, 1e-6) << "exactly exp(-x/2)";
+  // With two columns the F tail is (1 + 2 x / nu)^(-nu / 2) exactly.
+  EXPECT_NEAR(LogFTail(1e4, 2, 300), -150 * std::log1p(2e4 / 300), 1e-6);
+  EXPECT_NEAR(LogFTail(1e9, 2, 300), -150 * std::log1p(2e9 / 300), 1e-3);
+  EXPECT_EQ(LogChiSquareTail(0, 3), 0);
+}
+
 }  // namespace
 }  // namespace dhcal

@@ -1,0 +1,251 @@
+#include "problems/diagnosis/hypotheses/library.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/units.h"
+#include "core/physics/registry.h"
+#include "core/physics/step.h"
+
+namespace dhcal {
+namespace {
+
+constexpr int kInstantsTried = 47;
+constexpr int kInstantsAtFirst = 12;
+// Time constants in parts of the longest run; 0 = steadily.
+constexpr double kTimeConstantsTried[] = {0.05, 0.08, 0.12, 0.19, 0.3, 0.5, 0.8, 0.0};
+constexpr double kNearTimeConstants[] = {0.75, 0.87, 1.15, 1.3};
+constexpr int kCurveKnotsTried[] = {8, 14, 28};
+constexpr int kPosesPerKnot = 20;
+constexpr int kFewestKnots = 4;
+constexpr int kOrdersOfAScan = 150;
+// The names that search this scan: a line of free order is chosen from all of them.
+constexpr double kHighestWholeOrder = 7;
+
+/// Settings that are found by scanning and do not make another finding.
+bool IsScannedSetting(const std::string& name) {
+  return name == "at_s" || name == "at_row" || name == "time_constant_s" ||
+         name == "soft_torque_Nm" || name == "knot_deg" || name == "measured_torque" ||
+         name == "flank" || name == "free_masses";
+}
+
+std::string IdOf(const EffectRequest& request) {
+  std::string id = request.effect;
+  if (request.joint > 0) id += fmt::format(".{}", request.joint);
+  for (const auto& [name, value] : request.settings) {
+    if (!IsScannedSetting(name)) id += fmt::format(".{}={:.6g}", name, value);
+  }
+  return id;
+}
+
+bool TakesSetting(const Effect& effect, const std::string& name) {
+  const auto settings = effect.Describe().settings;
+  return std::any_of(
+      settings.begin(), settings.end(), [&](const auto& s) { return s.first == name; });
+}
+
+/// The same place without its scanned setting, each once.
+std::vector<EffectRequest> Places(const std::vector<EffectRequest>& requests,
+                                  const std::string& setting) {
+  std::vector<EffectRequest> places;
+  for (EffectRequest request : requests) {
+    request.settings.erase(setting);
+    const bool known = std::any_of(
+        places.begin(), places.end(), [&](const EffectRequest& p) { return p.SameAs(request); });
+    if (!known) places.push_back(request);
+  }
+  return places;
+}
+
+std::vector<EffectRequest> AllPairs(const PhysicsContext& c, const std::string& effect) {
+  std::vector<EffectRequest> pairs;
+  for (int joint = 1; joint <= c.num_joints(); ++joint) {
+    for (int driver = 1; driver <= c.num_joints(); ++driver) {
+      if (driver == joint) continue;
+      EffectRequest request;
+      request.effect = effect;
+      request.joint = joint;
+      request.settings["driver_joint"] = driver;
+      pairs.push_back(request);
+    }
+  }
+  return pairs;
+}
+
+/// Instants between rows, evenly, and every one around those of `near`.
+std::vector<double> InstantsTried(const PhysicsContext& c,
+                                  int count,
+                                  const std::vector<double>& near) {
+  std::vector<double> times(c.clock().begin(), c.clock().end());
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  const auto num = static_cast<int>(times.size());
+  std::set<int> at;
+  for (int k = 1; k <= count; ++k) at.insert(k * num / (count + 1));
+  const int step = num / (count + 1) + 1;
+  for (const double instant : near) {
+    const auto middle = static_cast<int>(
+        std::lower_bound(times.begin(), times.end(), instant - 1e-9) - times.begin());
+    const int stride = std::max(1, step / 12);
+    for (int k = middle - step; k <= middle + step; k += stride) at.insert(k);
+    for (int k = middle - 3; k <= middle + 3; ++k) at.insert(k);
+  }
+  std::vector<double> instants;
+  for (const int k : at) {
+    if (k >= 2 && k + 2 < num) instants.push_back(times[static_cast<std::size_t>(k)]);
+  }
+  return instants;
+}
+
+std::vector<double> NearSettings(const LibraryOptions& options,
+                                 const EffectRequest& place,
+                                 const std::string& setting) {
+  std::vector<double> values;
+  for (EffectRequest member : options.near) {
+    const auto found = member.settings.find(setting);
+    if (member.effect != place.effect || found == member.settings.end()) continue;
+    values.push_back(found->second);
+  }
+  return values;
+}
+
+std::vector<EffectRequest> WithSettings(const std::vector<EffectRequest>& places,
+                                        const std::string& setting,
+                                        const std::vector<double>& values) {
+  std::vector<EffectRequest> requests;
+  for (const EffectRequest& place : places) {
+    for (const double value : values) {
+      requests.push_back(place);
+      requests.back().settings[setting] = value;
+    }
+  }
+  return requests;
+}
+
+std::vector<EffectRequest> CurveForms(const PhysicsContext& c,
+                                      const std::string& name,
+                                      int num_poses) {
+  std::vector<EffectRequest> forms;
+  for (int joint = 0; joint < c.num_joints(); ++joint) {
+    if (!c.revolute(joint)) continue;
+    const double range = (c.q(joint).maxCoeff() - c.q(joint).minCoeff()) / kDegree;
+    std::set<double> distances;
+    for (const int knots : kCurveKnotsTried) {
+      const int count = std::max(std::min(knots, num_poses / kPosesPerKnot), kFewestKnots);
+      distances.insert(std::round(std::clamp(range / count, 3.0, 60.0) * 10) / 10);
+    }
+    for (const double distance : distances) {
+      EffectRequest request;
+      request.effect = name;
+      request.joint = joint + 1;
+      request.settings["knot_deg"] = distance;
+      forms.push_back(request);
+    }
+  }
+  return forms;
+}
+
+/// All forms of one effect that are tried, testable or not.
+std::vector<EffectRequest> FormsOf(const Effect& effect,
+                                   const PhysicsContext& c,
+                                   const LibraryOptions& options) {
+  const EffectDescription description = effect.Describe();
+  if (description.is_curve) return CurveForms(c, description.name, options.num_poses);
+  if (TakesSetting(effect, "driver_joint")) return AllPairs(c, description.name);
+  std::vector<EffectRequest> requests = effect.Candidates(c);
+  const std::string step = StepSetting(c);
+  if (TakesSetting(effect, step)) {
+    const std::vector<EffectRequest> places = Places(requests, step);
+    if (places.empty()) return {};
+    const std::vector<double> near = NearSettings(options, places.front(), step);
+    return WithSettings(
+        places, step, InstantsTried(c, options.coarse ? kInstantsAtFirst : kInstantsTried, near));
+  }
+  if (TakesSetting(effect, "time_constant_s") && c.has_time() && c.duration() > 0) {
+    std::vector<EffectRequest> forms;
+    for (const EffectRequest& request : requests) {
+      if (request.settings.count("time_constant_s") == 0) forms.push_back(request);
+    }
+    const std::vector<EffectRequest> places = Places(requests, "time_constant_s");
+    std::vector<double> constants;
+    for (const double part : kTimeConstantsTried) constants.push_back(part * c.duration());
+    if (!places.empty()) {
+      for (const double near : NearSettings(options, places.front(), "time_constant_s")) {
+        for (const double factor : kNearTimeConstants) constants.push_back(factor * near);
+      }
+    }
+    const std::vector<EffectRequest> by_time = WithSettings(places, "time_constant_s", constants);
+    forms.insert(forms.end(), by_time.begin(), by_time.end());
+    return forms;
+  }
+  return requests;
+}
+
+/// What the choice of this form costs.
+int VariantsOf(const EffectRequest& request, int same_id, int num_joints) {
+  if (request.settings.count("driver_joint") > 0) return std::max(1, num_joints - 1);
+  const double order = request.setting("order", 0);
+  if (order > kHighestWholeOrder) return kOrdersOfAScan;
+  if (order >= 4) return 7;
+  if (order > 0) return 3;
+  return std::min(same_id, kInstantsTried);
+}
+
+}  // namespace
+
+Item NamedItem(const PhysicsContext& c, const EffectRequest& request, int variants) {
+  const Effect& effect = *FindEffect(request.effect);
+  const std::vector<EffectColumn> columns = effect.Columns(c, request);
+  Item item;
+  item.request = request;
+  item.request.values.clear();
+  item.id = IdOf(request);
+  item.size = static_cast<int>(columns.size());
+  item.variants = VariantsOf(request, variants, c.num_joints());
+  item.typical.resize(item.size);
+  for (int k = 0; k < item.size; ++k) {
+    item.typical[k] = columns[static_cast<std::size_t>(k)].typical;
+    item.positive.push_back(columns[static_cast<std::size_t>(k)].positive);
+  }
+  const std::string driver = effect.Place(c, request).driver;
+  item.elastic = driver == "gravity torque" || driver == "overturning moment";
+  return item;
+}
+
+std::vector<Item> NamedItems(const PhysicsContext& c, const LibraryOptions& options) {
+  std::vector<Item> items;
+  for (const Effect* const effect : AllEffects()) {
+    const EffectDescription description = effect->Describe();
+    const auto& names = options.names;
+    if (!names.empty() && std::find(names.begin(), names.end(), description.name) == names.end()) {
+      continue;
+    }
+    std::map<std::string, int> count;
+    std::vector<EffectRequest> forms;
+    for (const EffectRequest& request : FormsOf(*effect, c, options)) {
+      const auto& on = options.switched;
+      const bool active = std::any_of(on.begin(), on.end(), [&](const EffectRequest& e) {
+        return e.effect == request.effect && e.joint == request.joint && !e.held &&
+               IdOf(e) == IdOf(request);
+      });
+      if (active || !effect->NotTestable(c, request).empty()) continue;
+      // Guessed masses have no shape fine enough for the sign or the cube of a torque.
+      const bool fine = description.name == "torsion_nonlinearity" || request.setting("flank", 0);
+      if (!options.masses_given && fine && request.setting("measured_torque", 0) == 0) continue;
+      forms.push_back(request);
+      ++count[IdOf(request)];
+    }
+    for (const EffectRequest& request : forms) {
+      Item item = NamedItem(c, request, count[IdOf(request)]);
+      if (item.size > 0) items.push_back(std::move(item));
+    }
+  }
+  return items;
+}
+
+}  // namespace dhcal

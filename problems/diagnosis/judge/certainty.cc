@@ -1,0 +1,145 @@
+#include "problems/diagnosis/judge/certainty.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "core/math/statistics.h"
+#include "problems/diagnosis/refit/joint_fit.h"
+#include "problems/diagnosis/tuning.h"
+
+namespace dhcal {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kWrongSign = 1e3, kWrongSize = 1e2;  // stands for log p of what cannot be
+constexpr double kNullDirection = 1e-10;
+
+/// v' C^-1 v over the directions that C has.
+double WaldSquare(const VectorXd& v, const MatrixXd& C, int* directions) {
+  const VectorXd scale = C.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scale.asDiagonal() * C * scale.asDiagonal());
+  const VectorXd along = eigen.eigenvectors().transpose() * scale.cwiseProduct(v);
+  double square = 0;
+  *directions = 0;
+  for (Index k = 0; k < along.size(); ++k) {
+    if (eigen.eigenvalues()[k] < kNullDirection) continue;
+    square += along[k] * along[k] / eigen.eigenvalues()[k];
+    ++*directions;
+  }
+  return square;
+}
+
+/// True if every parameter that must be positive is zero or below.
+bool HasImpossibleSign(const Item& item, const VectorXd& value) {
+  bool signed_item = false;
+  for (int k = 0; k < item.size; ++k) {
+    if (!item.positive[static_cast<std::size_t>(k)]) continue;
+    signed_item = true;
+    if (value[k] > 0) return false;
+  }
+  return signed_item;
+}
+
+}  // namespace
+
+double LogChanceOfGain(double gain, int columns, double rss, const EvidenceRule& rule) {
+  const double k = columns;
+  if (rule.sigma_known) {
+    return LogChiSquareTail(gain / std::max(1.0, rss / rule.dof), k);
+  }
+  const double rest = std::max(rule.dof - k, 1.0);
+  const double left = std::max(rss - gain, 1e-9 * rss);
+  if (!(left > 0)) return 0;
+  return LogFTail(gain / k / (left / rest), k, rest);
+}
+
+double RowVariance(const JointRows& joint, const EvidenceRule& rule) {
+  const double rows = std::max(2, joint.rows->degrees_of_freedom());
+  const auto unknowns =
+      static_cast<double>(joint.free.size()) + static_cast<double>(joint.X.cols());
+  const double dof = std::max(rows - std::min(unknowns, rows / 2), 5.0);
+  const double variance = joint.y().squaredNorm() / dof;
+  return rule.sigma_known ? std::max(variance, 1.0) : std::max(variance, 1e-12);
+}
+
+std::vector<Certainty> Certainties(const JointModel& model,
+                                   const JointRows& joint,
+                                   const std::vector<Item>& completions,
+                                   const EvidenceRule& rule) {
+  // Where rows come several to a pose, the rule has fewer draws than there are rows.
+  const double rows = std::max(2, joint.rows->degrees_of_freedom());
+  const double together =
+      std::max(1.0,
+               (rows - std::min<double>(static_cast<double>(joint.free.size()), rows / 2)) /
+                   std::max(rule.dof, 1.0));
+  const MatrixXd covariance = JointCovariance(model, joint) * RowVariance(joint, rule) * together;
+  std::vector<Certainty> certainties;
+  const auto judge = [&](const std::vector<int>& columns, const VectorXd& value) {
+    Certainty c;
+    c.value = value;
+    c.covariance = covariance(columns, columns);
+    c.sigma = c.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+    int directions = 0;
+    const double square = WaldSquare(value, c.covariance, &directions);
+    if (directions > 0) {
+      c.log_p = rule.sigma_known
+                    ? LogChiSquareTail(square, directions)
+                    : LogFTail(square / directions, directions, std::max(rule.dof, 1.0));
+    }
+    certainties.push_back(c);
+  };
+  auto first = static_cast<int>(joint.free.size());
+  for (const Member& member : joint.state.members) {
+    std::vector<int> columns;
+    for (int k = 0; k < member.item.size; ++k) columns.push_back(first + k);
+    first += member.item.size;
+    judge(columns, member.value);
+  }
+  for (const Item& item : completions) {
+    std::vector<int> columns;
+    for (const int unknown : item.unknowns) {
+      columns.push_back(static_cast<int>(std::find(joint.free.begin(), joint.free.end(), unknown) -
+                                         joint.free.begin()));
+    }
+    judge(columns, joint.state.geometry(item.unknowns));
+  }
+  return certainties;
+}
+
+Weakest WeakestOf(const JointModel& model,
+                  const JointRows& joint,
+                  const std::vector<Item>& completions,
+                  const EvidenceRule& rule,
+                  double false_alarm) {
+  const std::vector<Certainty> certainties = Certainties(model, joint, completions, rule);
+  const auto members = static_cast<int>(joint.state.members.size());
+  Weakest weakest;
+  double worst = std::log(false_alarm);
+  for (std::size_t k = 0; k < certainties.size(); ++k) {
+    const auto at = static_cast<int>(k);
+    double log_p = certainties[k].log_p;
+    if (at < members) {
+      const Member& member = joint.state.members[k];
+      if (member.given) continue;
+      log_p += std::log(static_cast<double>(rule.names) * member.item.variants);
+      if (HasImpossibleSign(member.item, member.value)) log_p = kWrongSign;
+      if (UsualSizes(member.item, member.value) > kTuning.largest_size) {
+        log_p = std::max(log_p, kWrongSize);
+      }
+    } else {
+      log_p += std::log(static_cast<double>(completions.size()) + 1);
+    }
+    if (log_p <= worst) continue;
+    worst = log_p;
+    weakest.member = at < members ? at : -1;
+    weakest.completion = at < members ? -1 : at - members;
+  }
+  return weakest;
+}
+
+}  // namespace dhcal

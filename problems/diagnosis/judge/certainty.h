@@ -1,0 +1,48 @@
+// How sure the members of a joint fit are.
+#ifndef DHCAL_PROBLEMS_DIAGNOSIS_JUDGE_CERTAINTY_H_
+#define DHCAL_PROBLEMS_DIAGNOSIS_JUDGE_CERTAINTY_H_
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "problems/diagnosis/refit/joint_model.h"
+#include "problems/diagnosis/search/gram.h"
+
+namespace dhcal {
+
+/// Log of the probability that noise lets `columns` remove `gain` of the squares `rss`: chi-square
+/// where sigma is known (and enlarged where the rest exceeds it), else F.
+double LogChanceOfGain(double gain, int columns, double rss, const EvidenceRule& rule);
+
+/// Variance of the rows at a fit in units of what whitened them: at least 1 with a known sigma.
+double RowVariance(const JointRows& joint, const EvidenceRule& rule);
+
+struct Certainty {
+  double log_p = 0;  // alone, without the choice among names
+  Eigen::VectorXd value, sigma;
+  Eigen::MatrixXd covariance;
+};
+
+/// Of each member, and of each completion after them, in the joint fit (Wald). `rule`.dof is the
+/// rows' freedom.
+std::vector<Certainty> Certainties(const JointModel& model,
+                                   const JointRows& joint,
+                                   const std::vector<Item>& completions,
+                                   const EvidenceRule& rule);
+
+/// The least sure member or completion that does not stand: its probability corrected for the
+/// choice exceeds `false_alarm`, its sign is impossible, or its size is. Both -1 where all stand.
+struct Weakest {
+  int member = -1;
+  int completion = -1;
+};
+Weakest WeakestOf(const JointModel& model,
+                  const JointRows& joint,
+                  const std::vector<Item>& completions,
+                  const EvidenceRule& rule,
+                  double false_alarm);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_DIAGNOSIS_JUDGE_CERTAINTY_H_

@@ -1,0 +1,281 @@
+#include "problems/diagnosis/loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "problems/diagnosis/hypotheses/cells.h"
+#include "problems/diagnosis/judge/certainty.h"
+#include "problems/diagnosis/rows/read_out.h"
+#include "problems/diagnosis/spectrum.h"
+#include "problems/diagnosis/tuning.h"
+
+namespace dhcal {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kNoiseSettled = 0.02;
+
+}  // namespace
+
+std::vector<int> WithUnknowns(std::vector<int> geometry, const std::vector<Item>& completions) {
+  for (const Item& item : completions) {
+    geometry.insert(geometry.end(), item.unknowns.begin(), item.unknowns.end());
+  }
+  std::sort(geometry.begin(), geometry.end());
+  return geometry;
+}
+
+Loop::Loop(const LoopInputs& inputs)
+    : in_(inputs),
+      model_(*inputs.model),
+      poses_(PosesOfRows(inputs.model->calibration().recording)),
+      noise_(inputs.noise) {}
+
+EvidenceRule Loop::RuleAt(const JointRows& joint, std::size_t geometry, int names) const {
+  EvidenceRule rule;
+  const double rows = std::max(2, joint.rows->degrees_of_freedom());
+  rule.sigma_known = in_.sigma_known;
+  rule.dof = std::max(
+      1.0,
+      (rows - std::min<double>(static_cast<double>(geometry), rows / 2)) / in_.readings_per_pose);
+  rule.poses = std::max(2.0, NumPoses());
+  rule.names = names;
+  return rule;
+}
+
+std::vector<Item> Loop::Items(const JointRows& joint, bool coarse) const {
+  LibraryOptions options;
+  options.names = in_.names;
+  for (const Member& member : joint.state.members) {
+    (member.given ? options.switched : options.near).push_back(member.item.request);
+  }
+  options.num_poses = static_cast<int>(NumPoses());
+  options.masses_given = model_.masses_given();
+  options.coarse = coarse;
+  std::vector<Item> items = NamedItems(*joint.context, options);
+  std::vector<Item> cells = CellItems(*joint.context);
+  items.insert(
+      items.end(), std::make_move_iterator(cells.begin()), std::make_move_iterator(cells.end()));
+  return items;
+}
+
+void Loop::AddLines(const JointRows& joint, const EvidenceRule& rule, Bank* bank) const {
+  if (!in_.names.empty() &&
+      std::find(in_.names.begin(), in_.names.end(), kLineEffect) == in_.names.end()) {
+    return;
+  }
+  std::vector<std::vector<int>> contexts = {bank->members()};
+  if (!bank->members().empty()) contexts.emplace_back();
+  for (std::size_t k = 0; k < bank->members().size(); ++k) {
+    const Item& item = bank->items()[static_cast<std::size_t>(bank->members()[k])];
+    if (!IsScannedLine(item.request)) continue;
+    std::vector<int> others = bank->members();
+    others.erase(others.begin() + static_cast<long>(k));
+    contexts.push_back(others);
+  }
+  for (const std::vector<int>& active : contexts) {
+    const Bank::Rest rest = bank->RestBeside(active);
+    for (const SpectralPeak& peak :
+         ScanOrders(*joint.context, *joint.rows, rest.basis, rest.y, rule.dof, rule.sigma_known)) {
+      EffectRequest line;
+      line.effect = kLineEffect;
+      line.joint = peak.joint + 1;
+      line.settings["order"] = std::round(peak.order * 100) / 100;
+      Item item = NamedItem(*joint.context, line, 1);
+      const bool known = std::any_of(bank->items().begin(),
+                                     bank->items().end(),
+                                     [&](const Item& other) { return other.SameAs(item); });
+      if (!known) bank->Add(std::move(item));
+    }
+  }
+}
+
+Loop::Found Loop::SearchAt(const JointRows& joint,
+                           const std::vector<int>& geometry,
+                           const std::vector<Item>& completions,
+                           bool list) {
+  std::vector<Item> items = Items(joint, false);
+  items.insert(items.end(), completions.begin(), completions.end());
+  std::set<std::string> names;
+  for (const Item& item : items) {
+    if (item.is_name()) names.insert(item.id);
+  }
+  Found found;
+  found.names = static_cast<int>(names.size());
+  const EvidenceRule rule = RuleAt(joint, geometry.size(), found.names);
+  Bank bank(model_, joint, std::move(items), geometry);
+  AddLines(joint, rule, &bank);
+  const std::vector<int> chosen = Shortlist(bank, rule);
+  std::vector<GramItem> gram_items;
+  int first = 0;
+  for (const int i : chosen) {
+    const Item& item = bank.items()[static_cast<std::size_t>(i)];
+    GramItem own;
+    own.id = item.id;
+    own.first = first;
+    own.size = item.size;
+    own.variants = item.variants;
+    own.chosen_name = item.kind != ItemKind::kCompletion;
+    own.positive = item.positive;
+    if (item.kind == ItemKind::kEffect) own.typical = item.typical;
+    first += item.size;
+    gram_items.push_back(std::move(own));
+  }
+  SetEvaluator evaluator(bank.GramOf(chosen), std::move(gram_items), rule);
+  ItemSet now, all_completions;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const Item& item = bank.items()[static_cast<std::size_t>(chosen[k])];
+    const bool member =
+        std::find(bank.members().begin(), bank.members().end(), chosen[k]) != bank.members().end();
+    if (member) now.push_back(static_cast<int>(k));
+    if (item.kind == ItemKind::kCompletion) all_completions.push_back(static_cast<int>(k));
+  }
+  std::vector<ItemSet> starts = {now};
+  if (!all_completions.empty()) {
+    ItemSet with_all = now;
+    for (const int k : all_completions) with_all = With(with_all, k);
+    starts.push_back(with_all);
+    starts.push_back(all_completions);
+    // What the model has freed of the geometry belongs to it.
+    ItemSet with_freed = now;
+    for (const int k : all_completions) {
+      const Item& item =
+          bank.items()[static_cast<std::size_t>(chosen[static_cast<std::size_t>(k)])];
+      const bool freed = std::all_of(item.unknowns.begin(), item.unknowns.end(), [&](int u) {
+        return std::find(joint.free.begin(), joint.free.end(), u) != joint.free.end();
+      });
+      if (freed) with_freed = With(with_freed, k);
+    }
+    starts.push_back(with_freed);
+    if (list) now = with_freed;
+  }
+  const BeamOutcome outcome = SearchSets(starts, &evaluator);
+  const auto items_of = [&](const ItemSet& set) {
+    std::vector<Item> of_set;
+    for (const int k : set) {
+      const int i = chosen[static_cast<std::size_t>(k)];
+      of_set.push_back(bank.items()[static_cast<std::size_t>(i)]);
+    }
+    return of_set;
+  };
+  found.items = items_of(outcome.best);
+  found.values = evaluator.Evaluate(outcome.best).values;
+  found.nothing_evidence = evaluator.Evaluate({}).evidence;
+  found.found_evidence = evaluator.Evaluate(now).evidence;
+  if (list) {
+    for (const ItemSet& set : NotToldApart(outcome, now, kTuning.list_margin, &evaluator)) {
+      found.listed.push_back(items_of(set));
+      found.evidence.push_back(evaluator.Evaluate(set).evidence);
+    }
+  }
+  return found;
+}
+
+JointRows Loop::Eliminate(JointState start,
+                          std::vector<Item>* completions,
+                          const std::vector<int>& geometry,
+                          int names) {
+  while (true) {
+    const std::vector<int> free = WithUnknowns(geometry, *completions);
+    JointRows joint = FitJointly(model_, start, Choice(), free, 3);
+    const EvidenceRule rule = RuleAt(joint, free.size(), names);
+    const Weakest weakest = WeakestOf(model_, joint, *completions, rule, in_.false_alarm);
+    if (weakest.member < 0 && weakest.completion < 0) return joint;
+    start = joint.state;
+    if (weakest.member >= 0) {
+      start.members.erase(start.members.begin() + weakest.member);
+      continue;
+    }
+    for (const int k : (*completions)[static_cast<std::size_t>(weakest.completion)].unknowns) {
+      start.geometry[k] = 0;
+    }
+    completions->erase(completions->begin() + weakest.completion);
+  }
+}
+
+LoopOutcome Loop::Run() {
+  const std::vector<int> all = model_.AllUnknowns();
+  const auto say = [&](const std::string& text) {
+    if (in_.say) in_.say(text);
+  };
+  say("a robust first model");
+  RobustStart();
+  JointRows joint = FitJointly(model_, model_.Start(), Choice(), all, 4);
+  const auto taken_up = [&](const Found& found, const JointState& from) {
+    JointState state = from;
+    std::vector<Member> given;
+    for (const Member& member : from.members) {
+      if (member.given) given.push_back(member);
+    }
+    state.members = given;
+    for (std::size_t k = 0; k < found.items.size(); ++k) {
+      if (found.items[k].kind == ItemKind::kCompletion) continue;
+      state.members.push_back({found.items[k], found.values[k], false});
+    }
+    return state;
+  };
+  const auto same_members = [](const JointState& a, const JointState& b) {
+    if (a.members.size() != b.members.size()) return false;
+    return std::all_of(a.members.begin(), a.members.end(), [&](const Member& m) {
+      return std::any_of(b.members.begin(), b.members.end(), [&](const Member& other) {
+        return m.item.SameAs(other.item);
+      });
+    });
+  };
+  for (int round = 0; round < kTuning.rounds; ++round) {
+    say(fmt::format("round {} of search and joint fit", round + 1));
+    const Found found = SearchAt(joint, all, {}, false);
+    names_ = found.names;
+    const JointState before = joint.state;
+    joint = FitJointly(model_, taken_up(found, before), Choice(), all, 3);
+    bool changed = !same_members(before, joint.state);
+    const std::set<int> off_before = off_;
+    const double sigma_before = noise_.sigma;
+    UpdateOutliers(joint, true);
+    UpdateNoise(joint);
+    changed = changed || off_ != off_before ||
+              std::abs(std::log(noise_.sigma / sigma_before)) > kNoiseSettled;
+    if (!changed) break;
+    joint = FitJointly(model_, joint.state, Choice(), all, 1);
+  }
+  std::vector<Item> completions;
+  joint = Eliminate(joint.state, &completions, all, names_);
+  std::vector<int> geometry = all;
+  if (!in_.completions.empty()) {
+    say("with the geometry that the file frees");
+    geometry = in_.file_unknowns;
+    const Found found = SearchAt(joint, geometry, in_.completions, false);
+    JointState state = taken_up(found, joint.state);
+    std::set<int> kept(geometry.begin(), geometry.end());
+    for (const Item& item : found.items) {
+      if (item.kind != ItemKind::kCompletion) continue;
+      completions.push_back(item);
+      kept.insert(item.unknowns.begin(), item.unknowns.end());
+    }
+    for (Index k = 0; k < state.geometry.size(); ++k) {
+      if (kept.count(static_cast<int>(k)) == 0) state.geometry[k] = 0;
+    }
+    joint = Eliminate(state, &completions, geometry, names_);
+  }
+  say("what else would do");
+  const Found alternatives = SearchAt(joint, geometry, in_.completions, true);
+  LoopOutcome outcome;
+  outcome.listed = alternatives.listed;
+  outcome.listed_evidence = alternatives.evidence;
+  outcome.found_evidence = alternatives.found_evidence;
+  outcome.nothing_evidence = alternatives.nothing_evidence;
+  outcome.free = WithUnknowns(geometry, completions);
+  outcome.completions = std::move(completions);
+  outcome.rule = RuleAt(joint, outcome.free.size(), names_);
+  outcome.fit = std::move(joint);
+  outcome.noise = noise_;
+  outcome.off = off_;
+  return outcome;
+}
+
+}  // namespace dhcal

@@ -1,0 +1,100 @@
+// The decision: rows, a robust first model, then rounds of search, joint fit and outliers, then
+// elimination; for files that do not free everything once more with the completions of the geometry
+// as hypotheses. Nothing is decided for good before the end.
+#ifndef DHCAL_PROBLEMS_DIAGNOSIS_LOOP_H_
+#define DHCAL_PROBLEMS_DIAGNOSIS_LOOP_H_
+
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "problems/diagnosis/hypotheses/bank.h"
+#include "problems/diagnosis/hypotheses/library.h"
+#include "problems/diagnosis/refit/joint_fit.h"
+#include "problems/diagnosis/refit/joint_model.h"
+#include "problems/diagnosis/search/beam.h"
+
+namespace dhcal {
+
+struct LoopInputs {
+  const JointModel* model = nullptr;
+  std::vector<std::string> names;  // that may be given; empty = all
+  std::vector<int> file_unknowns;  // that the problem file frees
+  std::vector<Item> completions;   // what it leaves out, of the geometry
+  double false_alarm = 0.01;
+  bool sigma_known = false;      // stated, and the rows are single draws
+  double readings_per_pose = 1;  // rows that are one draw together
+  Eigen::VectorXd quanta;        // of the joints' read-out
+  Noise noise;                   // stated, or a first guess
+  std::function<void(const std::string&)> say;
+};
+
+struct LoopOutcome {
+  JointRows fit;                  // members found, all good rows
+  std::vector<Item> completions;  // found
+  std::vector<int> free;          // unknowns of the fit
+  Noise noise;
+  std::set<int> off;  // recording rows set aside, test rows too
+  EvidenceRule rule;
+  std::vector<std::vector<Item>> listed;  // sets that are not told apart, the found one first
+  std::vector<double> listed_evidence;    // beside the best
+  double found_evidence = 0, nothing_evidence = 0;
+};
+
+/// One diagnosis' loop over its rows.
+class Loop {
+ public:
+  explicit Loop(const LoopInputs& inputs);
+
+  LoopOutcome Run();
+
+  /// Good rows; of a long recording those that are searched, evenly over it, or `all`.
+  RowChoice Choice(bool all = false) const;
+  /// Readings of the fit, or the test rows, without those that are off.
+  std::vector<Reading> GoodReadings(bool test) const;
+  double NumPoses() const;
+  EvidenceRule RuleAt(const JointRows& joint, std::size_t geometry, int names) const;
+  std::vector<Item> Items(const JointRows& joint, bool coarse) const;
+
+ private:
+  void RobustStart();
+  void UpdateOutliers(const JointRows& joint, bool with_leverage);
+  void UpdateNoise(const JointRows& joint);
+  void AddLines(const JointRows& joint, const EvidenceRule& rule, Bank* bank) const;
+
+  /// A search at a fit; items and values of the best set.
+  struct Found {
+    std::vector<Item> items;
+    std::vector<Eigen::VectorXd> values;
+    std::vector<std::vector<Item>> listed;
+    std::vector<double> evidence;
+    double found_evidence = 0, nothing_evidence = 0;
+    int names = 1;
+  };
+  Found SearchAt(const JointRows& joint,
+                 const std::vector<int>& geometry,
+                 const std::vector<Item>& completions,
+                 bool list);
+  JointRows Eliminate(JointState start,
+                      std::vector<Item>* completions,
+                      const std::vector<int>& geometry,
+                      int names);
+
+  LoopInputs in_;
+  const JointModel& model_;
+  std::vector<int> poses_;
+  Noise noise_;
+  std::set<int> off_;
+  Eigen::VectorXd weight_;
+  int names_ = 1;
+};
+
+/// Unknowns of some completions added to others.
+std::vector<int> WithUnknowns(std::vector<int> geometry, const std::vector<Item>& completions);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_DIAGNOSIS_LOOP_H_

@@ -1,0 +1,209 @@
+// The loop's rows: which are good, what noise they have, and the robust model that starts it.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <Eigen/QR>
+
+#include "problems/diagnosis/clean_rows.h"
+#include "problems/diagnosis/hypotheses/bank.h"
+#include "problems/diagnosis/judge/certainty.h"
+#include "problems/diagnosis/loop.h"
+#include "problems/diagnosis/rows/outliers.h"
+#include "problems/diagnosis/tuning.h"
+
+namespace dhcal {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kHuber = 2;  // robust standard deviations of a reading that counts in full
+constexpr double kColumnsOfRows = 1.0 / 6;  // at most, of a first model
+
+/// Mean leverage of each reading in a fit.
+VectorXd LeverageOf(const JointModel& model, const JointRows& joint) {
+  const Augmented augmented = AugmentedRows(model, joint, joint.N);
+  VectorXd lengths = augmented.B.colwise().norm().transpose();
+  for (double& length : lengths) length = length > 0 ? 1 / length : 1.0;
+  const MatrixXd Q =
+      Eigen::HouseholderQR<MatrixXd>(augmented.B * lengths.asDiagonal()).householderQ() *
+      MatrixXd::Identity(augmented.B.rows(), augmented.B.cols());
+  const int m = joint.rows->coordinates();
+  VectorXd leverage(joint.rows->num_readings());
+  for (Index k = 0; k < leverage.size(); ++k) {
+    leverage[k] = Q.middleRows(k * m, m).squaredNorm() / m;
+  }
+  return leverage;
+}
+
+/// Readings that follow each other without a gap (differences), cut to pieces of a length; single
+/// readings are pieces of their own.
+std::vector<std::vector<Reading>> PiecesOf(const std::vector<Reading>& readings) {
+  constexpr std::size_t kLongest = 100;
+  std::vector<std::vector<Reading>> pieces;
+  for (const Reading& reading : readings) {
+    const bool follows = reading.previous_idx >= 0 && !pieces.empty() &&
+                         pieces.back().back().row_idx == reading.previous_idx &&
+                         pieces.back().size() < kLongest;
+    if (!follows) pieces.emplace_back();
+    pieces.back().push_back(reading);
+  }
+  return pieces;
+}
+
+/// Evenly over the recording. Differences are taken in pieces: one torn out of its series would say
+/// little, since its own offset is free.
+std::vector<Reading> Thinned(const std::vector<Reading>& readings) {
+  const auto most = static_cast<std::size_t>(kTuning.most_searched);
+  if (readings.size() <= most) return readings;
+  const std::vector<std::vector<Reading>> pieces = PiecesOf(readings);
+  const std::size_t wanted = std::max<std::size_t>(1, pieces.size() * most / readings.size());
+  std::vector<Reading> thinned;
+  for (std::size_t k = 0; k < wanted; ++k) {
+    const std::vector<Reading>& piece = pieces[k * pieces.size() / wanted];
+    thinned.insert(thinned.end(), piece.begin(), piece.end());
+  }
+  return thinned;
+}
+
+}  // namespace
+
+std::vector<Reading> Loop::GoodReadings(bool test) const {
+  const Calibration& c = model_.calibration();
+  return WithoutRows(c, test ? c.readings.test : c.readings.fitted, off_);
+}
+
+RowChoice Loop::Choice(bool all) const {
+  RowChoice choice;
+  choice.readings = GoodReadings(false);
+  if (!all) choice.readings = Thinned(choice.readings);
+  choice.weights.noise = noise_;
+  choice.weights.quantum = in_.quanta;
+  choice.weights.weight = weight_;
+  return choice;
+}
+
+double Loop::NumPoses() const {
+  std::set<int> poses;
+  for (const Reading& reading : Thinned(GoodReadings(false))) {
+    poses.insert(poses_[static_cast<std::size_t>(reading.row_idx)]);
+  }
+  return static_cast<double>(poses.size());
+}
+
+void Loop::UpdateOutliers(const JointRows& joint, bool with_leverage) {
+  const Calibration& c = model_.calibration();
+  RowWeights weights;
+  weights.noise = noise_;
+  weights.quantum = in_.quanta;
+  const DesignRows fitted(c, joint.state.deltas, weights, c.readings.fitted);
+  const DesignRows test(c, joint.state.deltas, weights, c.readings.test);
+  ReadingResiduals residuals;
+  residuals.coordinates = fitted.coordinates();
+  residuals.fitted = fitted.y();
+  residuals.test = test.y();
+  if (with_leverage) {
+    const VectorXd own = LeverageOf(model_, joint);
+    std::map<int, double> of_row;
+    for (int k = 0; k < joint.rows->num_readings(); ++k) {
+      of_row[joint.rows->recording_row(k)] = own[k];
+    }
+    residuals.leverage = VectorXd::Zero(fitted.num_readings());
+    for (int k = 0; k < fitted.num_readings(); ++k) {
+      const auto found = of_row.find(fitted.recording_row(k));
+      if (found != of_row.end()) residuals.leverage[k] = found->second;
+    }
+  }
+  const Outliers outliers = FindOutliers(residuals, in_.sigma_known);
+  off_.clear();
+  for (std::size_t k = 0; k < outliers.fitted.size(); ++k) {
+    if (outliers.fitted[k]) off_.insert(fitted.recording_row(static_cast<int>(k)));
+  }
+  for (std::size_t k = 0; k < outliers.test.size(); ++k) {
+    if (outliers.test[k]) off_.insert(test.recording_row(static_cast<int>(k)));
+  }
+}
+
+void Loop::UpdateNoise(const JointRows& joint) {
+  if (in_.sigma_known) return;
+  const int m = joint.rows->coordinates();
+  const double rows = std::max(2, joint.rows->degrees_of_freedom());
+  const auto unknowns =
+      static_cast<double>(joint.free.size()) + static_cast<double>(joint.X.cols());
+  const double share = std::max(rows - unknowns, rows / 4) / rows;
+  double lengths = 0, turns = 0;
+  for (Index k = 0; k < joint.y().size(); ++k) {
+    (k % m < 3 ? lengths : turns) += joint.y()[k] * joint.y()[k];
+  }
+  const double readings = std::max(1, joint.rows->num_readings());
+  const double per_length = lengths / (readings * std::min(m, 3)) / share;
+  noise_.sigma *= std::sqrt(std::max(per_length, 1e-12));
+  if (m == 6) {
+    noise_.sigma_rotation *= std::sqrt(std::max(turns / (readings * 3) / share, 1e-12));
+  }
+}
+
+void Loop::RobustStart() {
+  JointState state = model_.Start();
+  const std::vector<int> all = model_.AllUnknowns();
+  JointRows joint = FitJointly(model_, state, Choice(), all, 4);
+  // Weights by the residuals, then one more step with them.
+  const auto reweigh = [&] {
+    const int m = joint.rows->coordinates();
+    VectorXd weight = VectorXd::Ones(model_.calibration().recording.num_rows());
+    VectorXd y = joint.y();
+    for (int k = 0; k < joint.rows->num_readings(); ++k) {
+      const int row = joint.rows->recording_row(k);
+      if (weight_.size() > 0) y.segment(k * m, m) /= std::sqrt(std::max(weight_[row], 1e-12));
+    }
+    const double variance = std::max(RobustVariance(y, m), 1e-300);
+    for (int k = 0; k < joint.rows->num_readings(); ++k) {
+      const double u = std::sqrt(y.segment(k * m, m).squaredNorm() / (variance * m));
+      const int row = joint.rows->recording_row(k);
+      weight[row] = u < kHuber ? 1.0 : kHuber * kHuber / (u * u);
+    }
+    weight_ = weight;
+    joint = FitJointly(model_, joint.state, Choice(), all, 1);
+  };
+  for (int block = 0; block <= kTuning.start_blocks; ++block) {
+    reweigh();
+    reweigh();
+    if (block == kTuning.start_blocks) break;
+    const Bank bank(model_, joint, Items(joint, true), all);
+    const VectorXd gains = bank.Gains(bank.members());
+    const EvidenceRule rule = RuleAt(joint, all.size(), 1);
+    const double rss = joint.y().squaredNorm();
+    int best = -1;
+    double best_p = std::log(kTuning.start_p);
+    for (Index i = 0; i < gains.size(); ++i) {
+      const Item& item = bank.items()[static_cast<std::size_t>(i)];
+      const double p = LogChanceOfGain(gains[i], item.size, rss, rule);
+      if (p < best_p) {
+        best_p = p;
+        best = static_cast<int>(i);
+      }
+    }
+    if (best < 0) break;
+    Member member;
+    member.item = bank.items()[static_cast<std::size_t>(best)];
+    member.value = VectorXd::Zero(member.item.size);
+    const double columns = static_cast<double>(joint.X.cols() + member.item.size);
+    if (columns > kColumnsOfRows * static_cast<double>(joint.y().size())) break;
+    JointState larger = joint.state;
+    larger.members.push_back(std::move(member));
+    joint = FitJointly(model_, larger, Choice(), all, 1);
+  }
+  const double scale = RobustVariance(joint.y(), joint.rows->coordinates());
+  weight_.resize(0);
+  if (!in_.sigma_known) {
+    noise_.sigma *= std::sqrt(std::max(scale, 1e-12));
+    noise_.sigma_rotation *= std::sqrt(std::max(scale, 1e-12));
+  }
+  UpdateOutliers(joint, false);
+}
+
+}  // namespace dhcal

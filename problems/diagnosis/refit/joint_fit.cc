@@ -1,0 +1,143 @@
+#include "problems/diagnosis/refit/joint_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/QR>
+
+namespace dhcal {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kSteps[] = {1.0, 0.5, 0.2, 0.05};
+// A step is good unless it raises the squares by more than rounding of a nonlinear model may.
+constexpr double kRisesBy = 1.02, kRisesByAtMost = 10;
+constexpr double kSettled = 0.5;  // squares
+constexpr double kIndependent = 1e-9;
+
+/// Each column's length, for scaling; 1 where it is zero.
+VectorXd Lengths(const MatrixXd& B) {
+  VectorXd lengths = B.colwise().norm().transpose();
+  for (double& length : lengths) length = length > 0 ? length : 1.0;
+  return lengths;
+}
+
+JointState Moved(const JointRows& joint, const VectorXd& step, double part) {
+  JointState moved = joint.state;
+  Index at = 0;
+  for (const int k : joint.free) moved.geometry[k] += part * step[at++];
+  for (Member& member : moved.members) {
+    member.value += part * step.segment(at, member.item.size);
+    at += member.item.size;
+  }
+  for (const int k : joint.mass_idx) moved.masses[k] += part * step[at++];
+  return moved;
+}
+
+}  // namespace
+
+Augmented AugmentedRows(const JointModel& model, const JointRows& joint, const MatrixXd& N) {
+  Augmented augmented;
+  const Index rows = joint.y().size();
+  const auto free = static_cast<Index>(joint.free.size());
+  const Index members = joint.X.cols(), masses = N.cols();
+  const double root = std::sqrt(joint.phi);
+  augmented.num_free = static_cast<int>(free);
+  augmented.num_members = static_cast<int>(members);
+  augmented.num_masses = static_cast<int>(masses);
+  augmented.B = MatrixXd::Zero(rows + free + masses, free + members + masses);
+  augmented.B.topRows(rows) << joint.FreeColumns(), joint.X, N;
+  augmented.y = VectorXd::Zero(rows + free + masses);
+  augmented.y.head(rows) = joint.y();
+  for (Index k = 0; k < free; ++k) {
+    const int unknown = joint.free[static_cast<std::size_t>(k)];
+    const double precision = root / model.prior()[unknown];
+    augmented.B(rows + k, k) = precision;
+    augmented.y[rows + k] = -precision * joint.state.geometry[unknown];
+  }
+  for (Index k = 0; k < masses; ++k) {
+    augmented.B(rows + free + k, free + members + k) = root;
+    augmented.y[rows + free + k] =
+        -root * joint.state.masses[joint.mass_idx[static_cast<std::size_t>(k)]];
+  }
+  return augmented;
+}
+
+JointRows FitJointly(const JointModel& model,
+                     const JointState& start,
+                     const RowChoice& choice,
+                     const std::vector<int>& free,
+                     int iterations) {
+  JointRows joint = model.At(start, choice, free);
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    const Augmented augmented = AugmentedRows(model, joint, joint.N);
+    const VectorXd lengths = Lengths(augmented.B);
+    Eigen::ColPivHouseholderQR<MatrixXd> qr(augmented.B * lengths.cwiseInverse().asDiagonal());
+    qr.setThreshold(kIndependent);
+    const VectorXd step = qr.solve(augmented.y).cwiseQuotient(lengths);
+    const double before = joint.y().squaredNorm();
+    bool moved = false;
+    for (const double part : kSteps) {
+      JointRows tried = model.At(Moved(joint, step, part), choice, free);
+      const double after = tried.y().squaredNorm();
+      if (!(after < kRisesBy * before + kRisesByAtMost)) continue;
+      joint = std::move(tried);
+      moved = true;
+      break;
+    }
+    if (!moved) break;
+    if (iteration > 0 && std::abs(joint.y().squaredNorm() - before) < kSettled) break;
+  }
+  return joint;
+}
+
+MatrixXd TiedMasses(const JointModel& model, const JointRows& joint) {
+  if (joint.N.cols() == 0) return joint.N;
+  std::vector<int> elastic;
+  for (std::size_t m = 0; m < joint.state.members.size(); ++m) {
+    if (!joint.state.members[m].item.elastic) continue;
+    const int first = joint.FirstColumn(m);
+    for (int i = 0; i < joint.state.members[m].item.size; ++i) elastic.push_back(first + i);
+  }
+  JointRows geometry_only = joint;
+  geometry_only.X.resize(joint.X.rows(), 0);
+  const Augmented augmented = AugmentedRows(model, geometry_only, MatrixXd(joint.y().size(), 0));
+  const MatrixXd scaled = augmented.B * Lengths(augmented.B).cwiseInverse().asDiagonal();
+  const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(scaled).householderQ() *
+                     MatrixXd::Identity(scaled.rows(), scaled.cols());
+  const auto Q_rows = Q.topRows(joint.y().size());
+  const MatrixXd X = joint.X(Eigen::all, elastic);
+  const MatrixXd P = X - Q_rows * (Q_rows.transpose() * X);
+  const MatrixXd R = joint.N - Q_rows * (Q_rows.transpose() * joint.N);
+  const VectorXd lengths = Lengths(P);
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(P * lengths.cwiseInverse().asDiagonal());
+  qr.setThreshold(1e-8);
+  const MatrixXd share = qr.solve(R);
+  return joint.N - X * lengths.cwiseInverse().asDiagonal() * share;
+}
+
+MatrixXd JointCovariance(const JointModel& model, const JointRows& joint) {
+  const Augmented augmented = AugmentedRows(model, joint, TiedMasses(model, joint));
+  const VectorXd lengths = Lengths(augmented.B);
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(augmented.B * lengths.cwiseInverse().asDiagonal());
+  const Index size = augmented.B.cols();
+  // Directions that nothing determines are as uncertain as a tiny diagonal lets them be.
+  MatrixXd R = qr.matrixR().topRows(size).template triangularView<Eigen::Upper>();
+  const double floor = kIndependent * std::abs(R(0, 0));
+  for (Index k = 0; k < size; ++k) {
+    if (std::abs(R(k, k)) < floor) R(k, k) = floor;
+  }
+  const MatrixXd inverse =
+      R.template triangularView<Eigen::Upper>().solve(MatrixXd::Identity(size, size));
+  const MatrixXd permuted =
+      qr.colsPermutation() * (inverse * inverse.transpose()) * qr.colsPermutation().transpose();
+  const Index kept = augmented.num_free + augmented.num_members;
+  const VectorXd scale = lengths.cwiseInverse();
+  return (scale.asDiagonal() * permuted * scale.asDiagonal()).topLeftCorner(kept, kept);
+}
+
+}  // namespace dhcal

@@ -1,0 +1,38 @@
+// Gauss-Newton with step halving on geometry, effects and masses together, and what the solution
+// says of each member.
+#ifndef DHCAL_PROBLEMS_DIAGNOSIS_REFIT_JOINT_FIT_H_
+#define DHCAL_PROBLEMS_DIAGNOSIS_REFIT_JOINT_FIT_H_
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "problems/diagnosis/refit/joint_model.h"
+
+namespace dhcal {
+
+/// Fits from `start`; the result is the best state seen, linearised.
+JointRows FitJointly(const JointModel& model,
+                     const JointState& start,
+                     const RowChoice& choice,
+                     const std::vector<int>& free,
+                     int iterations);
+
+/// N without what the elastic members' own columns can do beside geometry A (both under the
+/// priors): else the freedom of the masses contains the effect itself.
+Eigen::MatrixXd TiedMasses(const JointModel& model, const JointRows& joint);
+
+/// [A N X] over the priors' rows, and the same of y; columns as they come, SI and priors.
+struct Augmented {
+  Eigen::MatrixXd B;
+  Eigen::VectorXd y;
+  int num_free = 0, num_members = 0, num_masses = 0;  // order of the columns: A, X, N
+};
+Augmented AugmentedRows(const JointModel& model, const JointRows& joint, const Eigen::MatrixXd& N);
+
+/// Covariance of free geometry and members at a fit, for rows of unit variance; masses tied.
+Eigen::MatrixXd JointCovariance(const JointModel& model, const JointRows& joint);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_DIAGNOSIS_REFIT_JOINT_FIT_H_

@@ -1,0 +1,158 @@
+#include "problems/diagnosis/rows/read_out.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/base/units.h"
+#include "core/math/statistics.h"
+#include "problems/diagnosis/tuning.h"
+
+namespace dhcal {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int kExactDecimals = 6;
+// A value is a decimal fraction if it is within so many of its last places of one.
+constexpr double kSameDecimal = 1e-6;
+constexpr double kSameAngle = 1e-5;  // [rad] or [m] between rows of one pose
+
+/// Fewest decimals that hold all values; kExactDecimals where there are more.
+int DecimalsOfAll(const VectorXd& values) {
+  for (int decimals = 0; decimals < kExactDecimals; ++decimals) {
+    const double scale = std::pow(10.0, decimals);
+    const bool all = std::all_of(values.begin(), values.end(), [&](double value) {
+      const double scaled = value * scale;
+      return std::abs(scaled - std::round(scaled)) < kSameDecimal;
+    });
+    if (all) return decimals;
+  }
+  return kExactDecimals;
+}
+
+/// Rows of one group of a vector's or matrix' rows put together by `Put` (mean or median).
+MatrixXd Grouped(const MatrixXd& values, const std::vector<std::vector<int>>& groups, bool median) {
+  if (values.rows() == 0) return values;
+  MatrixXd grouped(static_cast<Index>(groups.size()), values.cols());
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    for (Index k = 0; k < values.cols(); ++k) {
+      std::vector<double> of_group;
+      for (const int row : groups[g]) {
+        if (std::isfinite(values(row, k))) of_group.push_back(values(row, k));
+      }
+      double mean = 0;
+      for (const double value : of_group) mean += value / static_cast<double>(of_group.size());
+      grouped(static_cast<Index>(g), k) = of_group.empty() ? std::nan("")
+                                          : median         ? Median(of_group)
+                                                           : mean;
+    }
+  }
+  return grouped;
+}
+
+template <typename T>
+std::vector<T> Firsts(const std::vector<T>& values, const std::vector<std::vector<int>>& groups) {
+  std::vector<T> firsts;
+  if (values.empty()) return firsts;
+  for (const auto& group : groups) {
+    firsts.push_back(values[static_cast<std::size_t>(group.front())]);
+  }
+  return firsts;
+}
+
+Recording PutTogether(const Recording& r,
+                      const std::vector<std::vector<int>>& groups,
+                      const MatrixXd& direction) {
+  Recording t = r;
+  t.lines = Firsts(r.lines, groups);
+  t.q = Grouped(r.q, groups, false);
+  t.p_WQ = Grouped(r.p_WQ, groups, true);
+  t.quaternion = Grouped(r.quaternion, groups, false);
+  for (Index k = 0; k < t.quaternion.rows(); ++k) t.quaternion.row(k).normalize();
+  t.distance = Grouped(r.distance, groups, true);
+  t.sigma = Grouped(r.sigma, groups, false);
+  t.time = Grouped(r.time, groups, false);
+  t.payload = Grouped(r.payload, groups, false);
+  t.temperature = Grouped(r.temperature, groups, false);
+  t.direction = Grouped(direction, groups, true);
+  t.speed = Grouped(r.speed, groups, false);
+  t.torque = Grouped(r.torque, groups, false);
+  t.run_idx = Firsts(r.run_idx, groups);
+  t.target_idx = Firsts(r.target_idx, groups);
+  t.anchor_idx = Firsts(r.anchor_idx, groups);
+  t.is_test = Firsts(r.is_test, groups);
+  for (std::size_t k = 0; k < r.extra.size(); ++k) {
+    t.extra[k].values = Grouped(r.extra[k].values, groups, false);
+  }
+  return t;
+}
+
+}  // namespace
+
+VectorXd ReadOutQuanta(const Recording& recording, const RobotModel& robot) {
+  VectorXd quanta = VectorXd::Zero(recording.num_joints());
+  for (int joint = 0; joint < recording.num_joints(); ++joint) {
+    const bool turns = robot.joints[static_cast<std::size_t>(joint)].type == JointType::kRevolute;
+    const double unit = turns ? kDegree : kMillimetre;
+    const VectorXd values = recording.q.col(joint) / unit;
+    // A joint that never moves was not read: it was commanded.
+    if (values.size() == 0 || values.maxCoeff() - values.minCoeff() < 1e-9) continue;
+    int decimals = DecimalsOfAll(values);
+    double quantum = unit * std::pow(10.0, -decimals);
+    if (decimals == kExactDecimals && turns) {
+      decimals = DecimalsOfAll(recording.q.col(joint));
+      quantum = std::pow(10.0, -decimals);
+    }
+    if (decimals < kExactDecimals) quanta[joint] = quantum;
+  }
+  return quanta;
+}
+
+std::vector<int> PosesOfRows(const Recording& recording) {
+  std::map<std::vector<long>, int> known;
+  std::vector<int> poses;
+  for (int row = 0; row < recording.num_rows(); ++row) {
+    std::vector<long> key;
+    for (const double q : recording.q.row(row)) key.push_back(std::lround(q / kSameAngle));
+    poses.push_back(known.emplace(key, static_cast<int>(known.size())).first->second);
+  }
+  return poses;
+}
+
+DistinctRows PutRepeatsTogether(const Recording& recording, const MatrixXd& direction) {
+  const std::vector<int> poses = PosesOfRows(recording);
+  std::map<std::vector<double>, std::size_t> known;
+  DistinctRows distinct;
+  for (int row = 0; row < recording.num_rows(); ++row) {
+    const auto at = static_cast<std::size_t>(row);
+    std::vector<double> key = {static_cast<double>(poses[at]),
+                               static_cast<double>(recording.run(row)),
+                               static_cast<double>(recording.target(row)),
+                               recording.test(row) ? 1.0 : 0.0,
+                               recording.payload.size() > 0 && std::isfinite(recording.payload[row])
+                                   ? recording.payload[row]
+                                   : -1.0,
+                               recording.anchor_idx.empty() ? 0.0 : recording.anchor_idx[at] + 1.0};
+    const auto place = known.emplace(key, distinct.original.size());
+    if (place.second) distinct.original.emplace_back();
+    distinct.original[place.first->second].push_back(row);
+  }
+  const auto rows = static_cast<double>(recording.num_rows());
+  const bool displaced = recording.displacement.rows() > 0;
+  if (displaced || static_cast<double>(known.size()) > kTuning.repeats_share * rows) {
+    distinct.recording = recording;
+    distinct.original.clear();
+    for (int row = 0; row < recording.num_rows(); ++row) distinct.original.push_back({row});
+    return distinct;
+  }
+  distinct.averaged = true;
+  distinct.recording = PutTogether(recording, distinct.original, direction);
+  return distinct;
+}
+
+}  // namespace dhcal
