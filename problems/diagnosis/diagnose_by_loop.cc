@@ -81,6 +81,7 @@ std::vector<Item> CompletionItems(const std::vector<Completion>& completions,
     item.size = static_cast<int>(item.unknowns.size());
     item.positive.assign(item.unknowns.size(), false);
     item.typical = VectorXd::Ones(item.size);
+    item.precision = VectorXd::Zero(item.size);
     items.push_back(std::move(item));
   }
   return items;

@@ -5,8 +5,6 @@
 #include <set>
 #include <utility>
 
-#include <Eigen/QR>
-
 #include "problems/diagnosis/clean_rows.h"
 #include "problems/diagnosis/hypotheses/bank.h"
 #include "problems/diagnosis/judge/certainty.h"
@@ -27,15 +25,12 @@ constexpr double kColumnsOfRows = 1.0 / 6;  // at most, of a first model
 /// Mean leverage of each reading in a fit.
 VectorXd LeverageOf(const JointModel& model, const JointRows& joint) {
   const Augmented augmented = AugmentedRows(model, joint, joint.N);
-  VectorXd lengths = augmented.B.colwise().norm().transpose();
-  for (double& length : lengths) length = length > 0 ? 1 / length : 1.0;
-  const MatrixXd Q =
-      Eigen::HouseholderQR<MatrixXd>(augmented.B * lengths.asDiagonal()).householderQ() *
-      MatrixXd::Identity(augmented.B.rows(), augmented.B.cols());
+  const MatrixXd root =
+      NormalFactor(augmented.B).Whiten(augmented.B.topRows(joint.y().size()));
   const int m = joint.rows->coordinates();
   VectorXd leverage(joint.rows->num_readings());
   for (Index k = 0; k < leverage.size(); ++k) {
-    leverage[k] = Q.middleRows(k * m, m).squaredNorm() / m;
+    leverage[k] = root.middleCols(k * m, m).squaredNorm() / m;
   }
   return leverage;
 }

@@ -61,6 +61,10 @@ Bank::Bank(const JointModel& model,
   });
   T_ = Q_.transpose() * C_;
   b_ = C_.transpose() * y_ - T_.transpose() * qy_;
+  prior_.resize(num_columns_);
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    prior_.segment(first_[i], items_[i].size) = joint.phi * items_[i].precision.cwiseAbs2();
+  }
   norm2_ = C_.colwise().squaredNorm().transpose();
   norm2_ = norm2_.cwiseMax(1e-300);
   blocks_.resize(items_.size());
@@ -69,6 +73,7 @@ Bank::Bank(const JointModel& model,
     const auto own = C_.middleCols(first_[i], items_[i].size);
     const auto taken = T_.middleCols(first_[i], items_[i].size);
     blocks_[i] = own.transpose() * own - taken.transpose() * taken;
+    blocks_[i].diagonal() += prior_.segment(first_[i], items_[i].size);
   });
 }
 
@@ -88,6 +93,8 @@ void Bank::TakeOut(const JointModel& model, const std::vector<int>& geometry) {
   }
   const MatrixXd tied = TiedMasses(model, joint_);
   taken.X = joint_.X(Eigen::all, given);
+  taken.value = joint_.value(given);
+  taken.precision = joint_.precision(given);
   const Augmented augmented = AugmentedRows(model, taken, tied);
   const MatrixXd Q = ThinQ(augmented.B);
   y_ = joint_.y();
@@ -129,7 +136,10 @@ void Bank::Add(Item item) {
   T_.rightCols(item.size) = taken;
   b_.tail(item.size) = columns.transpose() * y_ - taken.transpose() * qy_;
   norm2_.tail(item.size) = columns.colwise().squaredNorm().transpose().cwiseMax(1e-300);
+  prior_.conservativeResize(num_columns_ + item.size);
+  prior_.tail(item.size) = joint_.phi * item.precision.cwiseAbs2();
   blocks_.emplace_back(columns.transpose() * columns - taken.transpose() * taken);
+  blocks_.back().diagonal() += prior_.tail(item.size);
   first_.push_back(num_columns_);
   num_columns_ += item.size;
   items_.push_back(std::move(item));
@@ -152,6 +162,9 @@ VectorXd Bank::Gains(const std::vector<int>& active) const {
     const MatrixXd own = C_(Eigen::all, columns), taken = T_(Eigen::all, columns);
     const VectorXd scale = norm2_(columns).cwiseSqrt().cwiseInverse();
     MatrixXd G = own.transpose() * C_ - taken.transpose() * T_;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      G(static_cast<Index>(k), columns[k]) += prior_[columns[k]];
+    }
     G = scale.asDiagonal() * G;
     MatrixXd scaled = G(Eigen::all, columns) * scale.asDiagonal();
     scaled.diagonal().array() += kBankRidge;
@@ -202,6 +215,7 @@ Gram Bank::GramOf(const std::vector<int>& chosen) const {
   const MatrixXd own = C_(Eigen::all, columns), taken = T_(Eigen::all, columns);
   Gram gram;
   gram.G = own.transpose() * own - taken.transpose() * taken;
+  gram.G.diagonal() += prior_(columns);
   gram.b = b_(columns);
   gram.norm2 = norm2_(columns);
   gram.rss = rss_;

@@ -69,6 +69,7 @@ Item CellOf(const std::string& slot, const std::vector<int>& slots, const CellDr
   item.size = static_cast<int>(columns->size());
   item.positive.assign(columns->size(), false);
   item.typical = VectorXd::Ones(item.size);
+  item.precision = VectorXd::Zero(item.size);
   item.cell = std::move(columns);
   item.driver_values = driver.values;
   return item;

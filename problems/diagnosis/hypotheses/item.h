@@ -31,6 +31,9 @@ struct Item {
   int variants = 1;            // forms of the id that are tried: the price of the choice
   std::vector<bool> positive;  // per parameter: a negative value is no such mechanism
   Eigen::VectorXd typical;     // per parameter, SI: its usual size
+  /// Per parameter, SI: 1 / spread that a prior gives it, where only a prior keeps what the rows do
+  /// not determine from running away (a free curve); 0 = none.
+  Eigen::VectorXd precision;
   bool elastic = false;        // its shape rests on the masses
   std::vector<int> unknowns;   // completion: the geometric unknowns that it frees
   std::shared_ptr<const SlotColumns> cell;  // cell: its columns

@@ -20,7 +20,7 @@ constexpr int kInstantsAtFirst = 12;
 // Time constants in parts of the longest run; 0 = steadily.
 constexpr double kTimeConstantsTried[] = {0.05, 0.08, 0.12, 0.19, 0.3, 0.5, 0.8, 0.0};
 constexpr double kNearTimeConstants[] = {0.75, 0.87, 1.15, 1.3};
-constexpr int kCurveKnotsTried[] = {8, 14, 28};
+constexpr int kCurveKnotsTried[] = {8, 14, 28, 120};
 constexpr int kPosesPerKnot = 20;
 constexpr int kFewestKnots = 4;
 constexpr int kOrdersOfAScan = 150;
@@ -208,8 +208,11 @@ Item NamedItem(const PhysicsContext& c, const EffectRequest& request, int varian
   item.size = static_cast<int>(columns.size());
   item.variants = VariantsOf(request, variants, c.num_joints());
   item.typical.resize(item.size);
+  item.precision = Eigen::VectorXd::Zero(item.size);
   for (int k = 0; k < item.size; ++k) {
+    const double spread = columns[static_cast<std::size_t>(k)].prior_sigma;
     item.typical[k] = columns[static_cast<std::size_t>(k)].typical;
+    if (spread > 0) item.precision[k] = 1 / spread;
     item.positive.push_back(columns[static_cast<std::size_t>(k)].positive);
   }
   const std::string driver = effect.Place(c, request).driver;

@@ -91,8 +91,10 @@ UnseenRows::UnseenRows(const JointModel& model,
   const Index rows = joint.y().size();
   const MatrixXd priors = augmented.B.bottomRows(augmented.B.rows() - rows);
   all_.H = white_.A.transpose() * white_.A + priors.transpose() * priors;
-  all_.b = white_.A.transpose() * white_.y +
-           priors.transpose() * augmented.y.tail(augmented.y.size() - rows);
+  // The members are given back: the priors hold their values, not the steps from here.
+  VectorXd held = augmented.y.tail(augmented.y.size() - rows);
+  held += priors.middleCols(num_free_, joint.X.cols()) * joint.value;
+  all_.b = white_.A.transpose() * white_.y + priors.transpose() * held;
   const Calibration& c = model.calibration();
   if (!test.empty()) {
     method_ = "set column";

@@ -17,7 +17,8 @@ constexpr double kSteps[] = {1.0, 0.5, 0.2, 0.05};
 // A step is good unless it raises the squares by more than rounding of a nonlinear model may.
 constexpr double kRisesBy = 1.02, kRisesByAtMost = 10;
 constexpr double kSettled = 0.5;  // squares
-constexpr double kIndependent = 1e-9;
+// Of a scaled unknown's own squares: rounding must not make them negative.
+constexpr double kSmall = 1e-13;
 
 /// Each column's length, for scaling; 1 where it is zero.
 VectorXd Lengths(const MatrixXd& B) {
@@ -49,9 +50,9 @@ Augmented AugmentedRows(const JointModel& model, const JointRows& joint, const M
   augmented.num_free = static_cast<int>(free);
   augmented.num_members = static_cast<int>(members);
   augmented.num_masses = static_cast<int>(masses);
-  augmented.B = MatrixXd::Zero(rows + free + masses, free + members + masses);
+  augmented.B = MatrixXd::Zero(rows + free + members + masses, free + members + masses);
   augmented.B.topRows(rows) << joint.FreeColumns(), joint.X, N;
-  augmented.y = VectorXd::Zero(rows + free + masses);
+  augmented.y = VectorXd::Zero(rows + free + members + masses);
   augmented.y.head(rows) = joint.y();
   for (Index k = 0; k < free; ++k) {
     const int unknown = joint.free[static_cast<std::size_t>(k)];
@@ -59,9 +60,14 @@ Augmented AugmentedRows(const JointModel& model, const JointRows& joint, const M
     augmented.B(rows + k, k) = precision;
     augmented.y[rows + k] = -precision * joint.state.geometry[unknown];
   }
+  for (Index k = 0; k < members; ++k) {
+    const double precision = root * joint.precision[k];
+    augmented.B(rows + free + k, free + k) = precision;
+    augmented.y[rows + free + k] = -precision * joint.value[k];
+  }
   for (Index k = 0; k < masses; ++k) {
-    augmented.B(rows + free + k, free + members + k) = root;
-    augmented.y[rows + free + k] =
+    augmented.B(rows + free + members + k, free + members + k) = root;
+    augmented.y[rows + free + members + k] =
         -root * joint.state.masses[joint.mass_idx[static_cast<std::size_t>(k)]];
   }
   return augmented;
@@ -75,10 +81,8 @@ JointRows FitJointly(const JointModel& model,
   JointRows joint = model.At(start, choice, free);
   for (int iteration = 0; iteration < iterations; ++iteration) {
     const Augmented augmented = AugmentedRows(model, joint, joint.N);
-    const VectorXd lengths = Lengths(augmented.B);
-    Eigen::ColPivHouseholderQR<MatrixXd> qr(augmented.B * lengths.cwiseInverse().asDiagonal());
-    qr.setThreshold(kIndependent);
-    const VectorXd step = qr.solve(augmented.y).cwiseQuotient(lengths);
+    const NormalFactor normal(augmented.B);
+    const VectorXd step = normal.Solve(augmented.B.transpose() * augmented.y);
     const double before = joint.y().squaredNorm();
     bool moved = false;
     for (const double part : kSteps) {
@@ -105,6 +109,8 @@ MatrixXd TiedMasses(const JointModel& model, const JointRows& joint) {
   }
   JointRows geometry_only = joint;
   geometry_only.X.resize(joint.X.rows(), 0);
+  geometry_only.value.resize(0);
+  geometry_only.precision.resize(0);
   const Augmented augmented = AugmentedRows(model, geometry_only, MatrixXd(joint.y().size(), 0));
   const MatrixXd scaled = augmented.B * Lengths(augmented.B).cwiseInverse().asDiagonal();
   const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(scaled).householderQ() *
@@ -122,22 +128,32 @@ MatrixXd TiedMasses(const JointModel& model, const JointRows& joint) {
 
 MatrixXd JointCovariance(const JointModel& model, const JointRows& joint) {
   const Augmented augmented = AugmentedRows(model, joint, TiedMasses(model, joint));
-  const VectorXd lengths = Lengths(augmented.B);
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(augmented.B * lengths.cwiseInverse().asDiagonal());
-  const Index size = augmented.B.cols();
-  // Directions that nothing determines are as uncertain as a tiny diagonal lets them be.
-  MatrixXd R = qr.matrixR().topRows(size).template triangularView<Eigen::Upper>();
-  const double floor = kIndependent * std::abs(R(0, 0));
-  for (Index k = 0; k < size; ++k) {
-    if (std::abs(R(k, k)) < floor) R(k, k) = floor;
-  }
-  const MatrixXd inverse =
-      R.template triangularView<Eigen::Upper>().solve(MatrixXd::Identity(size, size));
-  const MatrixXd permuted =
-      qr.colsPermutation() * (inverse * inverse.transpose()) * qr.colsPermutation().transpose();
+  const NormalFactor normal(augmented.B);
   const Index kept = augmented.num_free + augmented.num_members;
-  const VectorXd scale = lengths.cwiseInverse();
-  return (scale.asDiagonal() * permuted * scale.asDiagonal()).topLeftCorner(kept, kept);
+  return normal.Inverse().topLeftCorner(kept, kept);
+}
+
+NormalFactor::NormalFactor(const MatrixXd& B) : scale_(Lengths(B).cwiseInverse()) {
+  const Index size = B.cols();
+  MatrixXd H = MatrixXd::Zero(size, size);
+  H.selfadjointView<Eigen::Lower>().rankUpdate(B.transpose());
+  H = scale_.asDiagonal() * H * scale_.asDiagonal();
+  H.diagonal().array() += kSmall;
+  factor_.compute(H);
+}
+
+VectorXd NormalFactor::Solve(const VectorXd& b) const {
+  return scale_.cwiseProduct(VectorXd(factor_.solve(scale_.cwiseProduct(b))));
+}
+
+MatrixXd NormalFactor::Inverse() const {
+  const Index size = scale_.size();
+  const MatrixXd root = factor_.matrixL().solve(MatrixXd::Identity(size, size));
+  return scale_.asDiagonal() * (root.transpose() * root) * scale_.asDiagonal();
+}
+
+MatrixXd NormalFactor::Whiten(const MatrixXd& rows) const {
+  return factor_.matrixL().solve(scale_.asDiagonal() * rows.transpose());
 }
 
 }  // namespace dhcal

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include "problems/diagnosis/refit/joint_model.h"
@@ -29,6 +30,21 @@ struct Augmented {
   int num_free = 0, num_members = 0, num_masses = 0;  // order of the columns: A, X, N
 };
 Augmented AugmentedRows(const JointModel& model, const JointRows& joint, const Eigen::MatrixXd& N);
+
+/// Cholesky factor of B'B with the columns scaled to unit length. Priors' rows make it regular.
+class NormalFactor {
+ public:
+  explicit NormalFactor(const Eigen::MatrixXd& B);
+  /// (B'B)^-1 b.
+  Eigen::VectorXd Solve(const Eigen::VectorXd& b) const;
+  Eigen::MatrixXd Inverse() const;
+  /// Columns whose squared lengths are the leverages of rows in the fit: L^-1 rows'.
+  Eigen::MatrixXd Whiten(const Eigen::MatrixXd& rows) const;
+
+ private:
+  Eigen::VectorXd scale_;
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+};
 
 /// Covariance of free geometry and members at a fit, for rows of unit variance; masses tied.
 Eigen::MatrixXd JointCovariance(const JointModel& model, const JointRows& joint);

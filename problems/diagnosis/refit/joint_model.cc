@@ -196,10 +196,15 @@ JointRows JointModel::At(JointState state,
   Index size = 0;
   for (const Member& member : state.members) size += member.item.size;
   joint.X.resize(joint.rows->num_rows(), size);
+  joint.value.resize(size);
+  joint.precision.resize(size);
   Index first = 0;
-  for (const SlotColumns& own : columns) {
-    joint.X.middleCols(first, static_cast<Index>(own.size())) = Whitened(*joint.rows, own);
-    first += static_cast<Index>(own.size());
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const Member& member = state.members[k];
+    joint.X.middleCols(first, member.item.size) = Whitened(*joint.rows, columns[k]);
+    joint.value.segment(first, member.item.size) = member.value;
+    joint.precision.segment(first, member.item.size) = member.item.precision;
+    first += member.item.size;
   }
   joint.state = std::move(state);
   const double rows = std::max(1, joint.rows->degrees_of_freedom());

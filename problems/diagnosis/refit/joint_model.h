@@ -47,6 +47,8 @@ struct JointRows {
   std::vector<int> free;      // geometric unknowns that are fitted
   Eigen::MatrixXd A;          // of all geometric unknowns
   Eigen::MatrixXd X;          // of the members' parameters, in their order
+  Eigen::VectorXd value;      // of these parameters
+  Eigen::VectorXd precision;  // of their priors, 1 / spread; 0 = none
   Eigen::MatrixXd N;          // of the masses that the members' loads rest on
   std::vector<int> mass_idx;  // of each column of N, into the state's masses
   double phi = 1;             // chi-square per row, at least 1: the priors grow with its root
