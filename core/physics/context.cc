@@ -9,6 +9,8 @@
 
 #include <glog/logging.h>
 
+#include "core/base/units.h"
+
 namespace dhcal {
 namespace {
 
@@ -18,6 +20,7 @@ constexpr double kMoves = 1e-3;  // [rad or m]
 // To turn back by less is to stand still: read-outs of a joint at rest jitter by a few urad, and at
 // a reach of a metre this is a tracker's noise.
 constexpr double kAtRest = 2e-5;  // [rad or m]
+constexpr double kFillsTheTurn = 1.9 * kPi;
 
 /// Sense in which a joint moved last. A joint at rest keeps the flank on which it came to rest.
 class LastMotion {
@@ -147,6 +150,12 @@ void PhysicsContext::FillDirections() {
   const std::size_t num_runs = std::max<std::size_t>(recording_.run_names.size(), 1);
   for (int j = 0; j < num_joints(); ++j) {
     std::vector<LastMotion> of_run(num_runs);
+    // Angles that fill the turn may be counted modulo 360 deg: then nobody knows how a joint came
+    // across more than half of it.
+    const auto q = recording_.q.col(j);
+    const bool wraps = revolute(j) && num_rows() > 0 && q.maxCoeff() - q.minCoeff() > kFillsTheTurn &&
+                       q.maxCoeff() - q.minCoeff() <= 2 * kPi;
+    std::vector<int> last(num_runs, -1);
     for (int k = 0; k < num_rows(); ++k) {
       LastMotion& motion = of_run[static_cast<std::size_t>(recording_.run(k))];
       const bool given =
@@ -156,7 +165,10 @@ void PhysicsContext::FillDirections() {
       } else {
         motion.GoTo(recording_.q(k, j));
       }
-      direction_(k, j) = sign(j) * motion.sense();
+      int& before = last[static_cast<std::size_t>(recording_.run(k))];
+      const bool across = wraps && before >= 0 && std::abs(q[k] - q[before]) > kPi;
+      before = k;
+      direction_(k, j) = across && !given ? 0 : sign(j) * motion.sense();
     }
   }
 }

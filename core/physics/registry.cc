@@ -24,11 +24,15 @@ namespace dhcal {
   DHCAL_EFFECT(JointDrift)              \
   DHCAL_EFFECT(JointStep)               \
   DHCAL_EFFECT(ToolStep)                \
+  DHCAL_EFFECT(BaseStep)                \
+  DHCAL_EFFECT(Settling)                \
   DHCAL_EFFECT(Latency)                 \
   DHCAL_EFFECT(SensorScale)             \
   DHCAL_EFFECT(AxisTilt)                \
   DHCAL_EFFECT(BaseFrame)               \
-  DHCAL_EFFECT(ToolOffset)
+  DHCAL_EFFECT(ToolOffset)              \
+  DHCAL_EFFECT(BasePerRun)              \
+  DHCAL_EFFECT(ToolPerRun)
 
 #define DHCAL_DECLARE(name) const Effect& name();
 DHCAL_EFFECT_LIST(DHCAL_DECLARE)

@@ -42,6 +42,8 @@ Recording WorkedExampleRecording() {
   recording.torque.row(1).setConstant(100);
   recording.torque.row(2).setConstant(-100);
   recording.payload = Eigen::Vector3d(0, 5, 0);
+  recording.run_names = {"1", "2"};
+  recording.run_idx = {0, 0, 1};
   return recording;
 }
 

@@ -6,7 +6,8 @@
 //   row 1   q = (10, 20, 30, 40, 50, 60) deg, direction +1, t = 3600 s, 30 degC, 0.5 rad/s, 100 N
 //   m,
 //           5 kg carried
-//   row 2   q = -row 1, direction -1, t = 7200 s, 20 degC, -0.5 rad/s, -100 N m, nothing carried
+//   row 2   q = -row 1, direction -1, t = 7200 s, 20 degC, -0.5 rad/s, -100 N m, nothing carried,
+//           run 2 (the others are of run 1)
 #ifndef DHCAL_CORE_PHYSICS_WORKED_EXAMPLE_H_
 #define DHCAL_CORE_PHYSICS_WORKED_EXAMPLE_H_
 

@@ -277,14 +277,12 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
     for (const Finding& finding : d.findings) {
       for (std::size_t k = 0; k < missing.size(); ++k) {
         if (!missing[k].request.SameAs(finding.effect)) continue;
-        for (const int u : CompletionItems({missing[k]}, c).front().unknowns) {
-          inputs.file_unknowns.push_back(u);
-        }
+        const std::vector<Item> own = CompletionItems({missing[k]}, c);
+        inputs.file_unknowns = WithUnknowns(inputs.file_unknowns, own);
         missing.erase(missing.begin() + static_cast<long>(k));
         break;
       }
     }
-    std::sort(inputs.file_unknowns.begin(), inputs.file_unknowns.end());
   }
   inputs.completions = CompletionItems(missing, c);
   Loop loop(inputs);

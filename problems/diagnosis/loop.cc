@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "problems/diagnosis/hypotheses/cells.h"
+#include "core/physics/step.h"
 #include "problems/diagnosis/judge/certainty.h"
+#include "problems/diagnosis/rows/outliers.h"
 #include "problems/diagnosis/rows/read_out.h"
 #include "problems/diagnosis/spectrum.h"
 #include "problems/diagnosis/tuning.h"
@@ -19,6 +21,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr double kNoiseSettled = 0.02;
+constexpr int kInstantsAround = 12;  // rows to both sides
 
 }  // namespace
 
@@ -71,13 +74,13 @@ void Loop::AddLines(const JointRows& joint, const EvidenceRule& rule, Bank* bank
   }
   std::vector<std::vector<int>> contexts = {bank->members()};
   if (!bank->members().empty()) contexts.emplace_back();
-  for (std::size_t k = 0; k < bank->members().size(); ++k) {
-    const Item& item = bank->items()[static_cast<std::size_t>(bank->members()[k])];
-    if (!IsScannedLine(item.request)) continue;
-    std::vector<int> others = bank->members();
-    others.erase(others.begin() + static_cast<long>(k));
-    contexts.push_back(others);
+  // Without the lines that there are: their orders are found anew beside what came in since.
+  std::vector<int> no_lines;
+  for (const int k : bank->members()) {
+    const Item& item = bank->items()[static_cast<std::size_t>(k)];
+    if (!IsScannedLine(item.request)) no_lines.push_back(k);
   }
+  if (!no_lines.empty() && no_lines.size() < bank->members().size()) contexts.push_back(no_lines);
   for (const std::vector<int>& active : contexts) {
     const Bank::Rest rest = bank->RestBeside(active);
     for (const SpectralPeak& peak :
@@ -93,6 +96,38 @@ void Loop::AddLines(const JointRows& joint, const EvidenceRule& rule, Bank* bank
       if (!known) bank->Add(std::move(item));
     }
   }
+}
+
+JointRows Loop::WithInstantsMoved(JointRows joint) const {
+  const Calibration& c = model_.calibration();
+  RowChoice all = Choice();
+  all.readings = c.readings.fitted;
+  const auto missed = [&](const JointState& state) {
+    const JointRows rows = model_.At(state, all, joint.free);
+    double sum = 0;
+    for (int k = 0; k < rows.rows->num_readings(); ++k) {
+      const int m = rows.rows->coordinates();
+      sum += BoundedSquare(rows.y().segment(k * m, m).squaredNorm());
+    }
+    return sum;
+  };
+  bool moved = false;
+  JointState state = joint.state;
+  for (Member& member : state.members) {
+    const auto setting = member.item.request.settings.find(StepSetting(*joint.context));
+    if (member.given || setting == member.item.request.settings.end()) continue;
+    double least = missed(state), best = setting->second;
+    for (const double instant : InstantsAround(*joint.context, setting->second, kInstantsAround)) {
+      setting->second = instant;
+      const double now = missed(state);
+      if (now >= least) continue;
+      least = now;
+      best = instant;
+      moved = true;
+    }
+    setting->second = best;
+  }
+  return moved ? FitJointly(model_, state, Choice(), joint.free, 2) : std::move(joint);
 }
 
 Loop::Found Loop::SearchAt(const JointRows& joint,
@@ -234,6 +269,7 @@ LoopOutcome Loop::Run() {
     const JointState before = joint.state;
     joint = FitJointly(model_, taken_up(found, before), Choice(), all, 3);
     bool changed = !same_members(before, joint.state);
+    if (!off_.empty()) joint = WithInstantsMoved(std::move(joint));
     const std::set<int> off_before = off_;
     const double sigma_before = noise_.sigma;
     UpdateOutliers(joint, true);

@@ -63,6 +63,9 @@ class Loop {
   void RobustStart();
   void UpdateOutliers(const JointRows& joint, bool with_leverage);
   void UpdateNoise(const JointRows& joint);
+  /// Moves the instants of steps over all fitted rows, those set aside included: a step that came a
+  /// few rows too early makes good rows lie off, and without them it would stay there.
+  JointRows WithInstantsMoved(JointRows joint) const;
   void AddLines(const JointRows& joint, const EvidenceRule& rule, Bank* bank) const;
 
   /// A search at a fit; items and values of the best set.

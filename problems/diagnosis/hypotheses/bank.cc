@@ -154,17 +154,37 @@ std::vector<int> Bank::ColumnsOfItems(const std::vector<int>& chosen) const {
   return columns;
 }
 
+MatrixXd Bank::GramRows(const std::vector<int>& chosen) const {
+  const auto rows_of = [&](const std::vector<int>& columns) {
+    const MatrixXd own = C_(Eigen::all, columns), taken = T_(Eigen::all, columns);
+    MatrixXd G = own.transpose() * C_ - taken.transpose() * T_;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      G(static_cast<Index>(k), columns[k]) += prior_[columns[k]];
+    }
+    return G;
+  };
+  const bool of_members = std::all_of(chosen.begin(), chosen.end(), [&](int i) {
+    return std::find(members_.begin(), members_.end(), i) != members_.end();
+  });
+  if (!of_members) return rows_of(ColumnsOfItems(chosen));
+  // Sets of members are asked for again and again, each without another one.
+  const std::vector<int> all = ColumnsOfItems(members_);
+  if (member_rows_.cols() != num_columns_) member_rows_ = rows_of(all);
+  std::vector<int> wanted;
+  for (const int column : ColumnsOfItems(chosen)) {
+    wanted.push_back(
+        static_cast<int>(std::find(all.begin(), all.end(), column) - all.begin()));
+  }
+  return member_rows_(wanted, Eigen::all);
+}
+
 VectorXd Bank::Gains(const std::vector<int>& active) const {
   VectorXd b = b_;
   MatrixXd H(0, num_columns_);
   if (!active.empty()) {
     const std::vector<int> columns = ColumnsOfItems(active);
-    const MatrixXd own = C_(Eigen::all, columns), taken = T_(Eigen::all, columns);
     const VectorXd scale = norm2_(columns).cwiseSqrt().cwiseInverse();
-    MatrixXd G = own.transpose() * C_ - taken.transpose() * T_;
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      G(static_cast<Index>(k), columns[k]) += prior_[columns[k]];
-    }
+    MatrixXd G = GramRows(active);
     G = scale.asDiagonal() * G;
     MatrixXd scaled = G(Eigen::all, columns) * scale.asDiagonal();
     scaled.diagonal().array() += kBankRidge;

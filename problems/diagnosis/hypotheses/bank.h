@@ -46,6 +46,8 @@ class Bank {
   void TakeOut(const JointModel& model, const std::vector<int>& geometry);
   Eigen::MatrixXd Columns(const Item& item) const;
   void Append(int item, const Eigen::MatrixXd& columns);
+  /// Rows of the Gram matrix that belong to some items, beside what is taken out; all columns.
+  Eigen::MatrixXd GramRows(const std::vector<int>& chosen) const;
   std::vector<int> ColumnsOfItems(const std::vector<int>& chosen) const;
 
   const JointRows& joint_;
@@ -61,6 +63,7 @@ class Bank {
   Eigen::VectorXd b_, norm2_;
   Eigen::VectorXd prior_;  // squares that the items' priors add to the diagonal
   std::vector<Eigen::MatrixXd> blocks_;  // own Gram matrix of each item
+  mutable Eigen::MatrixXd member_rows_;  // GramRows of the members; made when asked for
 };
 
 /// The items worth searching: the best form of each name and place, and of the cells, beside the

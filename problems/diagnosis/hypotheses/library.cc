@@ -77,13 +77,18 @@ std::vector<EffectRequest> AllPairs(const PhysicsContext& c, const std::string& 
   return pairs;
 }
 
+std::vector<double> TimesOf(const PhysicsContext& c) {
+  std::vector<double> times(c.clock().begin(), c.clock().end());
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
 /// Instants between rows, evenly, and every one around those of `near`.
 std::vector<double> InstantsTried(const PhysicsContext& c,
                                   int count,
                                   const std::vector<double>& near) {
-  std::vector<double> times(c.clock().begin(), c.clock().end());
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
+  const std::vector<double> times = TimesOf(c);
   const auto num = static_cast<int>(times.size());
   std::set<int> at;
   for (int k = 1; k <= count; ++k) at.insert(k * num / (count + 1));
@@ -197,6 +202,18 @@ int VariantsOf(const EffectRequest& request, int same_id, int num_joints) {
 }
 
 }  // namespace
+
+std::vector<double> InstantsAround(const PhysicsContext& c, double instant, int rows) {
+  const std::vector<double> times = TimesOf(c);
+  const auto middle = static_cast<int>(
+      std::lower_bound(times.begin(), times.end(), instant - 1e-9) - times.begin());
+  std::vector<double> instants;
+  for (int k = middle - rows; k <= middle + rows; ++k) {
+    if (k < 1 || k >= static_cast<int>(times.size()) || k == middle) continue;
+    instants.push_back(times[static_cast<std::size_t>(k)]);
+  }
+  return instants;
+}
 
 Item NamedItem(const PhysicsContext& c, const EffectRequest& request, int variants) {
   const Effect& effect = *FindEffect(request.effect);

@@ -28,6 +28,9 @@ std::vector<Item> NamedItems(const PhysicsContext& context, const LibraryOptions
 /// The item of one request; `variants`: forms that it was chosen from.
 Item NamedItem(const PhysicsContext& context, const EffectRequest& request, int variants);
 
+/// Instants between rows, up to so many rows before and after one.
+std::vector<double> InstantsAround(const PhysicsContext& context, double instant, int rows);
+
 }  // namespace dhcal
 
 #endif  // DHCAL_PROBLEMS_DIAGNOSIS_HYPOTHESES_LIBRARY_H_

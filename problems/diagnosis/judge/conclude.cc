@@ -24,6 +24,7 @@ using Eigen::VectorXd;
 
 constexpr double kWorthReading = 3;  // standard deviations of a coordinate
 constexpr double kSameThing = 1e-6;  // basis cut
+constexpr double kHolds = 0.98;      // of a signature's squares
 
 /// What tells the members of a confusability class apart (physics.md A.10).
 std::string AdviceOf(const std::string& effect_class) {
@@ -132,8 +133,8 @@ void AddConfusables(const JointModel& model, const LoopOutcome& outcome, Diagnos
   for (const Item& item : outcome.completions) found.insert(item.id);
   const MatrixXd geometry = OrthonormalBasis(fit.FreeColumns());
   const auto add = [&](const std::set<std::string>& own, const MatrixXd& basis, Finding* finding) {
-    const std::vector<Item> others = InPlaceOf(own, found, outcome);
-    for (const Item& other : others) {
+    std::vector<Item> others;
+    for (const Item& other : InPlaceOf(own, found, outcome)) {
       Confusable confusable;
       confusable.effect = NameOf(other);
       confusable.location =
@@ -141,6 +142,12 @@ void AddConfusables(const JointModel& model, const LoopOutcome& outcome, Diagnos
               ? other.slot
               : FindEffect(other.request.effect)->Place(*fit.context, other.request).location;
       const MatrixXd b = BasisBeside(fit, geometry, other);
+      // A free function that holds the name's own shape says nothing against the name.
+      const double held = (b.transpose() * basis).squaredNorm();
+      if (other.kind == ItemKind::kCell && held > kHolds * static_cast<double>(basis.cols())) {
+        continue;
+      }
+      others.push_back(other);
       const auto smaller = std::min(basis.cols(), b.cols());
       confusable.overlap =
           smaller > 0 ? (basis.transpose() * b).norm() / std::sqrt(static_cast<double>(smaller))

@@ -10,6 +10,7 @@
 
 #include "core/base/rng.h"
 #include "problems/diagnosis/refit/joint_fit.h"
+#include "problems/diagnosis/rows/outliers.h"
 #include "problems/diagnosis/tuning.h"
 #include "problems/diagnosis/unseen.h"
 
@@ -23,11 +24,10 @@ using Eigen::VectorXd;
 constexpr int kFoldsOfAWay = 5;
 constexpr std::uint64_t kRandomFolds = 11;
 
-/// Squares of one reading, in full up to a bound and by their logarithm beyond: one misread row
-/// must not outvote all others.
-double Bounded(double square) {
-  const double bound = kTuning.predictive_bound;
-  return square < bound ? square : bound * (1 + std::log(square / bound));
+MatrixXd GramOf(const MatrixXd& A) {
+  MatrixXd H = MatrixXd::Zero(A.cols(), A.cols());
+  H.selfadjointView<Eigen::Lower>().rankUpdate(A.transpose());
+  return H.selfadjointView<Eigen::Lower>();
 }
 
 /// Blocks of consecutive rows.
@@ -90,7 +90,7 @@ UnseenRows::UnseenRows(const JointModel& model,
   const Augmented augmented = AugmentedRows(model, joint, joint.N);
   const Index rows = joint.y().size();
   const MatrixXd priors = augmented.B.bottomRows(augmented.B.rows() - rows);
-  all_.H = white_.A.transpose() * white_.A + priors.transpose() * priors;
+  all_.H = GramOf(white_.A) + priors.transpose() * priors;
   // The members are given back: the priors hold their values, not the steps from here.
   VectorXd held = augmented.y.tail(augmented.y.size() - rows);
   held += priors.middleCols(num_free_, joint.X.cols()) * joint.value;
@@ -130,7 +130,7 @@ void UnseenRows::AddWay(const std::vector<int>& fold_of_row, int folds) {
     if (part.predicted.empty() || part.predicted.size() == row_of_.size()) continue;
     const MatrixXd A = white_.A(part.predicted, Eigen::all);
     const VectorXd y = white_.y(part.predicted);
-    part.H = all_.H - A.transpose() * A;
+    part.H = all_.H - GramOf(A);
     part.b = all_.b - A.transpose() * y;
     way.parts.push_back(std::move(part));
   }
@@ -202,8 +202,8 @@ UnseenRows::Gain UnseenRows::GainOf(const std::vector<int>& group, int way) cons
   VectorXd gains(readings);
   for (Index k = 0; k < readings; ++k) {
     const Index first = k * coordinates_;
-    gains[k] = 0.5 * (Bounded(without.segment(first, coordinates_).squaredNorm()) -
-                      Bounded(with.segment(first, coordinates_).squaredNorm()));
+    gains[k] = 0.5 * (BoundedSquare(without.segment(first, coordinates_).squaredNorm()) -
+                      BoundedSquare(with.segment(first, coordinates_).squaredNorm()));
   }
   Gain gain;
   gain.sum = gains.sum();

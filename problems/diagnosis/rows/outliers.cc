@@ -39,6 +39,11 @@ int Outliers::count() const {
                           std::count(test.begin(), test.end(), true));
 }
 
+double BoundedSquare(double square) {
+  const double bound = kTuning.predictive_bound;
+  return square < bound ? square : bound * (1 + std::log(square / bound));
+}
+
 double RobustVariance(const VectorXd& residuals, int coordinates) {
   if (residuals.size() == 0) return 1;
   return Median(SquaredLengths(residuals, {}, coordinates)) / MedianOfUnit(coordinates);

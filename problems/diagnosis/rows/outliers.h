@@ -26,6 +26,10 @@ struct Outliers {
 /// most kTuning.most_outliers of all, the worst.
 Outliers FindOutliers(const ReadingResiduals& residuals, bool sigma_known);
 
+/// Squares of one reading, in full up to a bound and by their logarithm beyond: one misread row
+/// must not outvote all others.
+double BoundedSquare(double square);
+
 /// Median of squared lengths in units of what unit noise has.
 double RobustVariance(const Eigen::VectorXd& residuals, int coordinates);
 
