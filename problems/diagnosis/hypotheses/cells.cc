@@ -20,6 +20,7 @@ constexpr int kAngleKnots = 8;
 constexpr int kTimeKnots = 8;
 constexpr int kFrameKnots = 5;
 constexpr int kMostRunsOfACell = 12;
+constexpr char kRun[] = "run";
 constexpr double kLeastMotion = 1e-5;  // [rad] or [m]; less is read-out jitter of a parked joint
 
 /// A driver and the functions of it that are tried.
@@ -100,7 +101,7 @@ std::vector<CellDriver> CircumstanceDrivers(const PhysicsContext& c) {
   }
   const auto runs = static_cast<int>(rec.run_names.size());
   if (runs > 1 && runs <= kMostRunsOfACell) {
-    CellDriver driver{"run", MatrixXd::Zero(c.num_rows(), runs - 1), {}};
+    CellDriver driver{kRun, MatrixXd::Zero(c.num_rows(), runs - 1), {}};
     for (int row = 0; row < c.num_rows(); ++row) {
       if (rec.run(row) > 0) driver.functions(row, rec.run(row) - 1) = 1;
     }
@@ -185,7 +186,10 @@ std::vector<Item> CellItems(const PhysicsContext& c) {
       items.push_back(
           CellOf(name, frame, Smooth(fmt::format("q{}", joint + 1), c.q(joint), kFrameKnots)));
     }
-    for (const CellDriver& driver : circumstances) items.push_back(CellOf(name, frame, driver));
+    for (const CellDriver& driver : circumstances) {
+      // Frames that differ between runs have names of their own.
+      if (driver.name != kRun) items.push_back(CellOf(name, frame, driver));
+    }
   }
   return items;
 }
