@@ -153,7 +153,8 @@ void PhysicsContext::FillDirections() {
     // Angles that fill the turn may be counted modulo 360 deg: then nobody knows how a joint came
     // across more than half of it.
     const auto q = recording_.q.col(j);
-    const bool wraps = revolute(j) && num_rows() > 0 && q.maxCoeff() - q.minCoeff() > kFillsTheTurn &&
+    const bool wraps = revolute(j) && num_rows() > 0 &&
+                       q.maxCoeff() - q.minCoeff() > kFillsTheTurn &&
                        q.maxCoeff() - q.minCoeff() <= 2 * kPi;
     std::vector<int> last(num_runs, -1);
     for (int k = 0; k < num_rows(); ++k) {

@@ -13,7 +13,7 @@
 namespace dhcal {
 namespace {
 
-constexpr int kMostRuns = 12;     // more are not set-ups that somebody made
+constexpr int kMostRuns = 12;      // more are not set-ups that somebody made
 constexpr double kTypical = 1e-3;  // [m], [rad]
 
 }  // namespace
@@ -22,13 +22,14 @@ RunFrameEffect::RunFrameEffect(std::string name, std::string frame)
     : name_(std::move(name)), frame_(std::move(frame)) {}
 
 EffectDescription RunFrameEffect::Describe() const {
-  EffectDescription d{name_,
-                      fmt::format("the {} differs between the runs (geometry, not physics)", frame_),
-                      fmt::format("{} of a run += (x, y, z, rx, ry, rz) of that run", frame_),
-                      "x_<run>, y_<run>, z_<run> [m], rx_<run>, ry_<run>, rz_<run> [rad]",
-                      {},
-                      "the column run",
-                      "0.1-10 mm [PHYSICS.md X1]"};
+  EffectDescription d{
+      name_,
+      fmt::format("the {} differs between the runs (geometry, not physics)", frame_),
+      fmt::format("{} of a run += (x, y, z, rx, ry, rz) of that run", frame_),
+      "x_<run>, y_<run>, z_<run> [m], rx_<run>, ry_<run>, rz_<run> [rad]",
+      {},
+      "the column run",
+      "0.1-10 mm [PHYSICS.md X1]"};
   d.has_joint = false;
   return d;
 }

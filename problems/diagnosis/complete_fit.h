@@ -35,33 +35,6 @@ std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
                                          const Progress& progress,
                                          const CompleteFit* near = nullptr);
 
-/// The effects with the values that a fit found for them.
-std::vector<EffectRequest> WithValues(std::vector<EffectRequest> effects, const CompleteFit& fit);
-
-/// Orthonormal basis of what the geometry can do to the whitened rows of `readings`. Taken at zero
-/// effects: a step of the tool, say, would make a hidden direction of the geometry (theta6 against
-/// the tool) faintly visible, and that direction would then swallow the rest of the step.
-/// `rho` != 0: serially whitened rows.
-Eigen::MatrixXd GeometryBasis(const CompleteFit& fit,
-                              const std::vector<Reading>& readings,
-                              double rho = 0);
-
-/// The same with the columns of the effects that are switched on.
-Eigen::MatrixXd ModelBasis(const CompleteFit& fit,
-                           const std::vector<Reading>& readings,
-                           double rho = 0);
-
-/// Values of the effects' parameters with the whole geometry free (the solver's own rule may hold
-/// weak directions back), in the order of the calibration's effect columns, and their covariance.
-struct EffectEstimates {
-  Eigen::VectorXd value;
-  Eigen::MatrixXd covariance;
-  double sigma_scale = 1;  // of the whitened rows: 1 where sigma is given
-  double dof = 0;
-};
-
-EffectEstimates EstimateEffects(const CompleteFit& fit);
-
 }  // namespace dhcal
 
 #endif  // DHCAL_PROBLEMS_DIAGNOSIS_COMPLETE_FIT_H_

@@ -4,7 +4,6 @@
 #include <map>
 
 #include <Eigen/Cholesky>
-#include <glog/logging.h>
 
 namespace dhcal {
 namespace {
@@ -162,7 +161,10 @@ void DesignRows::AddReading(const Reading& reading) {
   Whiten(rounding, sigma, RootWeight(reading.row_idx), &y, &J);
   if (before_.rows() == 0) return Append(y, J, reading.row_idx, nullptr, -1);
   const Eigen::MatrixXd J_before = J.rightCols(slots);
-  Append(y, J.leftCols(slots), reading.row_idx, &J_before,
+  Append(y,
+         J.leftCols(slots),
+         reading.row_idx,
+         &J_before,
          pair ? reading.previous_idx : reading.row_idx);
 }
 
@@ -213,35 +215,6 @@ void DesignRows::AddSeries(const std::vector<Reading>& readings) {
     for (Eigen::SparseMatrix<double>::InnerIterator it(offsets_, k); it; ++it) {
       it.valueRef() /= length;
     }
-  }
-}
-
-Eigen::VectorXd DesignRows::OffsetLeverage() const {
-  if (num_series_ == 0) return {};
-  Eigen::VectorXd leverage = Eigen::VectorXd::Zero(num_rows());
-  for (int k = 0; k < offsets_.cols(); ++k) {
-    for (Eigen::SparseMatrix<double>::InnerIterator it(offsets_, k); it; ++it) {
-      leverage[it.row()] += it.value() * it.value();
-    }
-  }
-  return leverage;
-}
-
-void DesignRows::WhitenSerially(double rho) {
-  CHECK(CanWhiten());
-  const double scale = 1 / std::sqrt(1 - rho * rho);
-  before_ = Eigen::MatrixXd::Zero(now_.rows(), now_.cols());
-  before_row_ = now_row_;
-  // From the end, so that the row before is still the original.
-  for (int k = num_rows() - 1; k >= coordinates_; --k) {
-    const int previous = k - coordinates_;
-    const int row = now_row_[static_cast<std::size_t>(k)];
-    const int row_before = now_row_[static_cast<std::size_t>(previous)];
-    if (c_.recording.run(row) != c_.recording.run(row_before)) continue;
-    before_.row(k) = rho * scale * now_.row(previous);
-    before_row_[static_cast<std::size_t>(k)] = row_before;
-    now_.row(k) *= scale;
-    y_[k] = scale * (y_[k] - rho * y_[previous]);
   }
 }
 

@@ -45,11 +45,6 @@ class DesignRows {
              const Noise& noise,
              const std::vector<Reading>& readings);
 
-  /// Takes out a lag-1 correlation of the readings' errors within runs (AR(1), Prais and Winsten
-  /// 1954). Only for readings of one pose each: see CanWhiten.
-  void WhitenSerially(double rho);
-  bool CanWhiten() const { return before_.rows() == 0 && num_series_ == 0; }
-
   int num_rows() const { return static_cast<int>(y_.size()); }
   /// Coordinates per reading; rows come reading by reading.
   int coordinates() const { return coordinates_; }
@@ -64,9 +59,6 @@ class DesignRows {
 
   /// Orthonormal basis of what those offsets take of the rows; no columns where there are none.
   const Eigen::SparseMatrix<double>& offsets() const { return offsets_; }
-
-  /// Squared length of each row of that basis; empty where there is none.
-  Eigen::VectorXd OffsetLeverage() const;
 
   /// Whitened column of something that adds `weight` (per recording row) to slots.
   Eigen::VectorXd Column(const std::vector<SlotWeights>& slots) const;

@@ -1,40 +1,313 @@
 #include "problems/diagnosis/diagnose.h"
 
-#include <exception>
-#include <functional>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "problems/diagnosis/held_fit.h"
+#include "core/base/units.h"
+#include "core/physics/registry.h"
+#include "problems/diagnosis/complete_fit.h"
+#include "problems/diagnosis/completions.h"
+#include "problems/diagnosis/concealed_frame.h"
+#include "problems/diagnosis/judge/conclude.h"
+#include "problems/diagnosis/judge/describe.h"
+#include "problems/diagnosis/judge/hidden.h"
+#include "problems/diagnosis/judge/rest.h"
+#include "problems/diagnosis/judge/unseen_rows.h"
+#include "problems/diagnosis/loop.h"
+#include "problems/diagnosis/rows/outliers.h"
+#include "problems/diagnosis/rows/read_out.h"
+#include "problems/diagnosis/tuning.h"
 #include "problems/noise.h"
 
 namespace dhcal {
+namespace {
 
-bool WantsDiagnosis(const ProblemSpec& spec, const Result& identified) {
-  if (spec.diagnosis.run == DiagnosisRun::kNever) return false;
-  if (spec.diagnosis.run == DiagnosisRun::kAlways) return true;
-  // No answer, or one that no manufacture explains, is itself a reason to ask what is wrong.
-  if (identified.best() == nullptr) return true;
-  if (!RowsPlausible(spec.robot, identified.calibrated)) return true;
-  const bool noise_free = spec.simulate && spec.simulate->noise <= kFinestSigma;
-  return !noise_free && identified.best()->rms > kFinestSigma;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Say = std::function<void(const std::string&)>;
+
+/// What a joint's readings say of its last motion, in the controller's sense; zeros without rows.
+MatrixXd DirectionsOf(const ProblemSpec& spec, const Recording& recording) {
+  const PhysicsContext context(spec.robot, recording, {spec.robot.X_WB});
+  MatrixXd direction = context.direction();
+  for (Index joint = 0; joint < direction.cols(); ++joint) {
+    direction.col(joint) *= context.sign(static_cast<int>(joint));
+  }
+  return direction;
 }
 
-DiagnosisResult Guarded(const std::function<DiagnosisResult()>& diagnose) {
-  std::string fault = "an unknown error";
-  try {
-    return diagnose();
-  } catch (const std::exception& error) {
-    fault = error.what();
-  } catch (...) {
+/// Readings that are one draw together: several targets of one pose, or repeats that were too few
+/// to be put together. Coordinates of one point (distances to anchors) are not.
+double ReadingsPerPose(const Calibration& c) {
+  if (c.measurement->kind().anchors || c.measurement->kind().pairs) return 1;
+  const std::vector<int> poses = PosesOfRows(c.recording);
+  std::set<int> distinct;
+  for (const Reading& reading : c.readings.fitted) {
+    distinct.insert(poses[static_cast<std::size_t>(reading.row_idx)]);
   }
+  const double per_pose = static_cast<double>(c.readings.fitted.size()) /
+                          std::max(1.0, static_cast<double>(distinct.size()));
+  constexpr double kSeveral = 1.5;
+  return per_pose < kSeveral ? 1 : per_pose;
+}
+
+/// Items of the geometry that the file leaves out.
+std::vector<Item> CompletionItems(const std::vector<Completion>& completions,
+                                  const Calibration& whole) {
+  std::vector<Item> items;
+  for (const Completion& completion : completions) {
+    Item item;
+    item.kind = ItemKind::kCompletion;
+    item.request = completion.request;
+    item.id = completion.request.effect + (completion.request.joint > 0
+                                               ? fmt::format(".{}", completion.request.joint)
+                                               : std::string());
+    for (const Parameter& p : completion.parameters) {
+      for (std::size_t k = 0; k < whole.parameters.size(); ++k) {
+        if (whole.parameters[k].name == p.name) item.unknowns.push_back(static_cast<int>(k));
+      }
+    }
+    item.size = static_cast<int>(item.unknowns.size());
+    item.positive.assign(item.unknowns.size(), false);
+    item.typical = VectorXd::Ones(item.size);
+    item.precision = VectorXd::Zero(item.size);
+    items.push_back(std::move(item));
+  }
+  return items;
+}
+
+/// Unknowns of the whole geometry that the file estimates.
+std::vector<int> FileUnknowns(const Calibration& file, const Calibration& whole) {
+  std::set<std::string> names;
+  for (const Parameter& p : file.parameters) names.insert(p.name);
+  std::vector<int> unknowns;
+  for (std::size_t k = 0; k < whole.parameters.size(); ++k) {
+    if (names.count(whole.parameters[k].name) > 0) unknowns.push_back(static_cast<int>(k));
+  }
+  return unknowns;
+}
+
+/// Takes members out that rows not fitted speak against, the most harmful first, fitting again.
+void TakeBack(const JointModel& model, const Loop& loop, LoopOutcome* outcome, DiagnosisResult* d) {
+  while (true) {
+    const std::vector<std::vector<int>> groups = FindingGroups(outcome->fit.state.members);
+    if (groups.empty()) return;
+    const UnseenRows unseen(model, outcome->fit, loop.Choice(), loop.GoodReadings(true));
+    const std::vector<int>* worst = nullptr;
+    double least = 0;
+    for (const std::vector<int>& group : groups) {
+      if (!unseen.SpeakAgainst(group)) continue;
+      const double sum = unseen.GainOf(group, 0).sum;
+      if (worst != nullptr && sum >= least) continue;
+      worst = &group;
+      least = sum;
+    }
+    if (worst == nullptr) return;
+    JointState state = outcome->fit.state;
+    for (auto m = worst->rbegin(); m != worst->rend(); ++m) {
+      d->notes.push_back(fmt::format(
+          "{} fits the rows but does not help to predict rows left out; it was withdrawn.",
+          InstanceName(state.members[static_cast<std::size_t>(*m)].item.request)));
+      state.members.erase(state.members.begin() + *m);
+    }
+    outcome->fit = FitJointly(model, state, loop.Choice(), outcome->free, 3);
+  }
+}
+
+/// `fit`: the rows of the bank.
+void AddUnexplained(const Bank& bank,
+                    const JointRows& fit,
+                    const LoopOutcome& outcome,
+                    const Structure& structure,
+                    DiagnosisResult* d) {
+  // The largest unnamed part: a cell of the model itself, else the strongest of what is left.
+  int item = structure.item;
+  double largest = 0;
+  for (std::size_t m = 0; m < fit.state.members.size(); ++m) {
+    const Member& member = fit.state.members[m];
+    if (member.item.kind != ItemKind::kCell) continue;
+    const double moved =
+        (fit.X.middleCols(fit.FirstColumn(m), member.item.size) * member.value).norm();
+    if (moved <= largest) continue;
+    largest = moved;
+    for (const int k : bank.members()) {
+      if (bank.items()[static_cast<std::size_t>(k)].SameAs(member.item)) item = k;
+    }
+  }
+  if (item < 0) return;
+  d->unexplained = DescribeRest(bank, fit, item, std::sqrt(RowVariance(fit, outcome.rule)));
+  const auto rows = static_cast<double>(fit.y().size());
+  const double sigma = d->misfit.noise_sigma;
+  const double unnamed = sigma * sigma * std::max(structure.gain, largest * largest) / rows;
+  const double before = d->rms_train_before * d->rms_train_before - sigma * sigma;
+  const double after = d->rms_train_after * d->rms_train_after - sigma * sigma;
+  const double left = std::max(after, unnamed);
+  d->unexplained->rms = std::sqrt(left);
+  d->unexplained->fraction = before > left ? left / before : 1.0;
+}
+
+void AddHypotheses(const LoopOutcome& outcome, DiagnosisResult* d) {
+  for (const std::vector<Item>& set : outcome.listed) {
+    HypothesisResult result;
+    for (const Item& item : set) result.effects.push_back(NameOf(item));
+    result.kept = true;
+    d->hypotheses.push_back(result);
+  }
+}
+
+}  // namespace
+
+DiagnosisResult Diagnose(const ProblemSpec& spec,
+                         const Recording& recorded,
+                         const Result& identified,
+                         const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const Say say = [&](const std::string& text) {
+    if (progress) progress("diagnosis: " + text);
+  };
   DiagnosisResult d;
-  d.verdict = DiagnosisVerdict::kFailed;
-  d.summary = fmt::format(
-      "the diagnosis broke down ({}), so nothing is known of left-out physics. The calibration was "
-      "made before and does not depend on it",
-      fault);
+  d.false_alarm = spec.diagnosis.false_alarm;
+  const DistinctRows distinct = PutRepeatsTogether(recorded, DirectionsOf(spec, recorded));
+  const Recording& recording = distinct.recording;
+  if (distinct.averaged) {
+    d.notes.push_back(
+        fmt::format("Poses were read several times: {} rows are {} draws, and were put together.",
+                    recorded.num_rows(),
+                    recording.num_rows()));
+  }
+  const JointModel model(spec, recording);
+  const Calibration& c = model.calibration();
+  const Calibration file(spec, recording);
+
+  LoopInputs inputs;
+  inputs.model = &model;
+  inputs.names = spec.diagnosis.effects;
+  inputs.false_alarm = spec.diagnosis.false_alarm;
+  inputs.readings_per_pose = ReadingsPerPose(c);
+  inputs.sigma_known =
+      SourceOfNoise(c).all_given() && !distinct.averaged && inputs.readings_per_pose == 1;
+  inputs.quanta = ReadOutQuanta(recording, spec.robot);
+  inputs.noise = InitialNoise(c);
+  inputs.file_unknowns = FileUnknowns(file, c);
+  inputs.say = say;
+  std::vector<Completion> missing = MissingCompletions(file, c);
+  if (!missing.empty()) {
+    const auto complete = FitComplete(spec, recording, {}, nullptr, progress);
+    if (complete->usable()) {
+      AddConcealedFrames(spec, recording, identified, *complete, missing, &d);
+    }
+    // What is concealed, and named already, belongs to the geometry from here on.
+    for (const Finding& finding : d.findings) {
+      for (std::size_t k = 0; k < missing.size(); ++k) {
+        if (!missing[k].request.SameAs(finding.effect)) continue;
+        const std::vector<Item> own = CompletionItems({missing[k]}, c);
+        inputs.file_unknowns = WithUnknowns(inputs.file_unknowns, own);
+        missing.erase(missing.begin() + static_cast<long>(k));
+        break;
+      }
+    }
+  }
+  inputs.completions = CompletionItems(missing, c);
+  Loop loop(inputs);
+  LoopOutcome outcome = loop.Run();
+  say("what unseen rows say");
+  TakeBack(model, loop, &outcome, &d);
+
+  const std::size_t good = loop.GoodReadings(false).size();
+  if (good > static_cast<std::size_t>(kTuning.most_searched)) {
+    d.notes.push_back(fmt::format(
+        "{} of {} rows were searched, evenly over the recording; the last fit uses all.",
+        loop.Choice().readings.size(),
+        good));
+  }
+  // All good rows; the geometry alone by the same.
+  const RowChoice choice = loop.Choice(true);
+  const EvidenceRule searched_rule = outcome.rule;
+  outcome.fit = FitJointly(model, outcome.fit.state, choice, outcome.free, 2);
+  outcome.rule = loop.RuleAt(outcome.fit, outcome.free.size(), outcome.rule.names);
+  const JointRows before = FitJointly(model, model.Start(), choice, outcome.free, 4);
+  const UnseenRows unseen_before(model, before, choice, loop.GoodReadings(true));
+  const UnseenRows unseen(model, outcome.fit, choice, loop.GoodReadings(true));
+  d.rms_train_before = unseen_before.FittedRms({});
+  d.rms_train_after = unseen.FittedRms({});
+  d.rms_test_before = unseen_before.UnseenRms({});
+  d.rms_test_after = unseen.UnseenRms({});
+  d.validation_method = unseen.method();
+
+  Misfit& misfit = d.misfit;
+  misfit.noise_known = inputs.sigma_known;
+  misfit.noise_sigma = outcome.noise.sigma;
+  misfit.rows = static_cast<int>(choice.readings.size());
+  misfit.statistic = before.y().squaredNorm();
+  misfit.dof = std::max<double>(
+      1, before.rows->degrees_of_freedom() - static_cast<double>(before.free.size()));
+  misfit.rms = d.rms_train_before;
+  for (const int row : outcome.off) {
+    for (const int original : distinct.original[static_cast<std::size_t>(row)]) {
+      misfit.outlier_rows.push_back(original);
+    }
+  }
+  std::sort(misfit.outlier_rows.begin(), misfit.outlier_rows.end());
+  misfit.outliers = static_cast<int>(misfit.outlier_rows.size());
+
+  const JointRows searched_before = model.At(before.state, loop.Choice(), outcome.free);
+  const JointRows searched = model.At(outcome.fit.state, loop.Choice(), outcome.free);
+  const Bank bank_before(model, searched_before, loop.Items(before, true), outcome.free);
+  const Structure first = StrongestStructure(bank_before, searched_rule, misfit.noise_sigma);
+  const Bank bank(model, searched, loop.Items(outcome.fit, true), outcome.free);
+  const Structure last = StrongestStructure(bank, searched_rule, misfit.noise_sigma);
+  misfit.p_value = std::exp(std::max(first.log_p, -690.0));  // of the geometry alone
+  d.map = first.map;
+
+  Judged judged;
+  judged.rest = last.log_p < std::log(spec.diagnosis.false_alarm);
+  const double variance = RobustVariance(outcome.fit.y(), outcome.fit.rows->coordinates());
+  if (inputs.sigma_known && variance > kTuning.restless) judged.rest = true;
+  for (const Member& member : outcome.fit.state.members) {
+    judged.cells = judged.cells || member.item.kind == ItemKind::kCell;
+  }
+  const std::vector<std::vector<int>> groups = FindingGroups(outcome.fit.state.members);
+  for (Finding& finding : DescribeCompletions(model, outcome)) {
+    d.findings.push_back(std::move(finding));
+  }
+  for (Finding& finding : DescribeMembers(model, outcome, unseen, groups)) {
+    d.findings.push_back(std::move(finding));
+  }
+  for (const Finding& finding : d.findings) {
+    // A line of a gear is found by a scan, which is not among the structures above.
+    if (finding.effect_class != "geometry") {
+      misfit.p_value = std::min(misfit.p_value, finding.p_value);
+    }
+  }
+  AddConfusables(model, outcome, &d);
+  for (const Member& member : outcome.fit.state.members) {
+    if (member.given || member.item.kind != ItemKind::kEffect) continue;
+    EffectRequest request = member.item.request;
+    const std::vector<EffectColumn> columns = EffectColumns(*outcome.fit.context, request);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      request.values[columns[k].parameter] = member.value[static_cast<Index>(k)];
+    }
+    d.model.push_back(std::move(request));
+  }
+  if (!groups.empty()) d.moved = MovedByPhysics(model, outcome, before.state.geometry);
+  GiveVerdict(judged, &d);
+  if (judged.rest || judged.cells) AddUnexplained(bank, searched, outcome, last, &d);
+  AddHypotheses(outcome, &d);
+  const PhysicsContext context(spec.robot, recording, {spec.robot.X_WB});
+  AddNotTestable(spec, context, &d);
+  say("what is hidden");
+  AddHiddenRisks(model, searched, outcome, bank, &d);
+  d.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return d;
 }
 

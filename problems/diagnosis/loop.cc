@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "problems/diagnosis/hypotheses/cells.h"
 #include "core/physics/step.h"
+#include "problems/diagnosis/hypotheses/cells.h"
 #include "problems/diagnosis/judge/certainty.h"
 #include "problems/diagnosis/rows/outliers.h"
 #include "problems/diagnosis/rows/read_out.h"

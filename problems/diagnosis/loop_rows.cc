@@ -5,11 +5,11 @@
 #include <set>
 #include <utility>
 
-#include "problems/diagnosis/clean_rows.h"
 #include "problems/diagnosis/hypotheses/bank.h"
 #include "problems/diagnosis/judge/certainty.h"
 #include "problems/diagnosis/loop.h"
 #include "problems/diagnosis/rows/outliers.h"
+#include "problems/diagnosis/rows/without_rows.h"
 #include "problems/diagnosis/tuning.h"
 
 namespace dhcal {
@@ -25,8 +25,7 @@ constexpr double kColumnsOfRows = 1.0 / 6;  // at most, of a first model
 /// Mean leverage of each reading in a fit.
 VectorXd LeverageOf(const JointModel& model, const JointRows& joint) {
   const Augmented augmented = AugmentedRows(model, joint, joint.N);
-  const MatrixXd root =
-      NormalFactor(augmented.B).Whiten(augmented.B.topRows(joint.y().size()));
+  const MatrixXd root = NormalFactor(augmented.B).Whiten(augmented.B.topRows(joint.y().size()));
   const int m = joint.rows->coordinates();
   VectorXd leverage(joint.rows->num_readings());
   for (Index k = 0; k < leverage.size(); ++k) {

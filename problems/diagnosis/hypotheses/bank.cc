@@ -172,8 +172,7 @@ MatrixXd Bank::GramRows(const std::vector<int>& chosen) const {
   if (member_rows_.cols() != num_columns_) member_rows_ = rows_of(all);
   std::vector<int> wanted;
   for (const int column : ColumnsOfItems(chosen)) {
-    wanted.push_back(
-        static_cast<int>(std::find(all.begin(), all.end(), column) - all.begin()));
+    wanted.push_back(static_cast<int>(std::find(all.begin(), all.end(), column) - all.begin()));
   }
   return member_rows_(wanted, Eigen::all);
 }

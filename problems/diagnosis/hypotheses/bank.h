@@ -61,7 +61,7 @@ class Bank {
   int num_columns_ = 0;
   Eigen::MatrixXd C_, T_;  // rows x columns, Q'C
   Eigen::VectorXd b_, norm2_;
-  Eigen::VectorXd prior_;  // squares that the items' priors add to the diagonal
+  Eigen::VectorXd prior_;                // squares that the items' priors add to the diagonal
   std::vector<Eigen::MatrixXd> blocks_;  // own Gram matrix of each item
   mutable Eigen::MatrixXd member_rows_;  // GramRows of the members; made when asked for
 };

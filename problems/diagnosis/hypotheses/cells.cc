@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "problems/diagnosis/hypotheses.h"
+#include "problems/diagnosis/hypotheses/hats.h"
 
 namespace dhcal {
 namespace {

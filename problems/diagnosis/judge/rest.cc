@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/physics/registry.h"
-#include "problems/diagnosis/hypotheses.h"
+#include "problems/diagnosis/hypotheses/hats.h"
 #include "problems/diagnosis/judge/certainty.h"
 
 namespace dhcal {

@@ -34,11 +34,7 @@ TEST(FitCompleteWithCurves, DoesNotDependOnWhereItStarts) {
   EXPECT_GT(RmsOf(*geometry), 3 * sigma);
   EXPECT_LT(RmsOf(*cold), 1.05 * sigma);
   EXPECT_NEAR(RmsOf(*near), RmsOf(*cold), 1e-3 * sigma);
-  const EffectEstimates a = EstimateEffects(*cold), b = EstimateEffects(*near);
-  ASSERT_EQ(a.value.size(), b.value.size());
-  for (Eigen::Index k = 0; k < a.value.size(); ++k) {
-    EXPECT_NEAR(a.value[k], b.value[k], 0.05 * std::sqrt(a.covariance(k, k))) << k;
-  }
+  EXPECT_LT((near->state() - cold->state()).norm(), 1e-3 * cold->state().norm());
 }
 
 TEST(FitCompleteWithCurves, FindsTheNoiseWhereItIsNotGiven) {

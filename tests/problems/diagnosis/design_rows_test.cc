@@ -72,40 +72,6 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"distance", KindNamed("distance"), NoiseKind::kIndependent}),
     [](const auto& param) { return std::string(param.param.name); });
 
-TEST(WhitenSerially, TakesTheReadingBeforeOutOfRowsAndColumnsAlikeWithinRuns) {
-  const TrueRobot truth = MakeTrueRobot(Kr15(), 5);
-  ProblemSpec spec = MakeSpec(truth.nominal, KindNamed("position"), NoiseKind::kIndependent);
-  spec.parameters.effects.resize(1);
-  spec.parameters.effects[0].effect = "joint_gain";
-  spec.parameters.effects[0].joint = 3;
-  RecordingPlan plan;
-  plan.poses = 20;
-  Recording recording = Record(truth, spec, plan);
-  recording.run_names = {"one", "two"};
-  for (int row = 0; row < 20; ++row) recording.run_idx.push_back(row < 8 ? 0 : 1);
-  const Calibration c(spec, recording);
-  const Eigen::VectorXd state =
-      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(c.parameters.size()));
-  const DesignRows plain(c, state, {20e-6, 50e-6}, c.readings.fitted);
-  DesignRows white = plain;
-  ASSERT_TRUE(white.CanWhiten());
-  const double rho = 0.6, scale = 1 / std::sqrt(1 - rho * rho);
-  white.WhitenSerially(rho);
-  const Eigen::MatrixXd J = plain.Geometry(c.parameters), J_white = white.Geometry(c.parameters);
-  ASSERT_EQ(J_white.rows(), 60);
-  for (int k = 0; k < 60; ++k) {
-    const int row = k / 3;
-    const bool first = row == 0 || row == 8;
-    const double own = first ? 1 : scale, before = first ? 0 : rho * scale;
-    const int k_before = first ? k : k - 3;
-    EXPECT_NEAR(white.y()[k],
-                own * plain.y()[k] - before * plain.y()[k_before],
-                1e-12 * plain.y().cwiseAbs().maxCoeff());
-    EXPECT_LT((J_white.row(k) - (own * J.row(k) - before * J.row(k_before))).cwiseAbs().maxCoeff(),
-              1e-12 * J.cwiseAbs().maxCoeff());
-  }
-}
-
 TEST(OrthonormalBasis, MakesNoDirectionsOutOfRounding) {
   Eigen::MatrixXd J = Eigen::MatrixXd::Random(30, 4);
   J.col(2).setConstant(1e-13);
@@ -126,70 +92,6 @@ TEST(RmsAsRead, IsOfTheLengthsByEachRowsOwnSigma) {
   pose.segment(3, 3).setConstant(100);
   EXPECT_NEAR(RmsAsRead(c, {}, {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1}, pose), expected, 1e-15);
   EXPECT_TRUE(std::isnan(RmsAsRead(c, {}, {}, {})));
-}
-
-TEST(FlagOutliers, WhatWasTakenOutOfARowMakesItStandOutMore) {
-  // A row of which a free offset takes half: the same residual is larger by the root of two.
-  Rng rng(7);
-  Eigen::VectorXd y(300);
-  for (double& value : y) value = rng.Normal();
-  y.segment<3>(30) = Eigen::Vector3d(4, 0, 0);
-  OutlierRule rule;
-  EXPECT_FALSE(FlagOutliers(y, Eigen::MatrixXd(300, 0), 3, rule)[10]);
-  rule.leverage = Eigen::VectorXd::Zero(300);
-  rule.leverage.segment<3>(30).setConstant(0.5);
-  EXPECT_TRUE(FlagOutliers(y, Eigen::MatrixXd(300, 0), 3, rule)[10]);
-}
-
-TEST(FlagOutliers, FindsTheOddReadingsAndNoOthers) {
-  Eigen::VectorXd y = Eigen::VectorXd::Random(300);
-  y[31] = 30;
-  y[200] = -25;
-  const auto flagged = FlagOutliers(y, Eigen::MatrixXd::Zero(300, 0), 3);
-  for (std::size_t k = 0; k < flagged.size(); ++k) {
-    EXPECT_EQ(flagged[k], k == 10 || k == 66) << k;
-  }
-}
-
-TEST(FlagOutliers, DoesNotDependOnTheAxes) {
-  const Eigen::Matrix3d R = MakeFrame({0, 0, 0}, {0.3, -0.8, 1.9}).linear();
-  Eigen::MatrixXd U = OrthonormalBasis(Eigen::MatrixXd::Random(300, 12));
-  Eigen::VectorXd y = Eigen::VectorXd::Random(300);
-  // Heavy tails, so that many readings lie near the border.
-  for (double& value : y) value = value * value * value * value * value;
-  Eigen::VectorXd turned_y = y;
-  Eigen::MatrixXd turned_U = U;
-  for (Eigen::Index first = 0; first < 300; first += 3) {
-    turned_y.segment<3>(first) = R * y.segment<3>(first);
-    turned_U.middleRows(first, 3) = R * U.middleRows(first, 3);
-  }
-  EXPECT_EQ(FlagOutliers(y, U, 3), FlagOutliers(turned_y, turned_U, 3));
-}
-
-TEST(FlagOutliers, AModelThatFitsFarBelowTheNoiseHasNone) {
-  Eigen::VectorXd y = 1e-6 * Eigen::VectorXd::Random(300);
-  y[31] = 1e-3;
-  const auto flagged = FlagOutliers(y, Eigen::MatrixXd::Zero(300, 0), 3);
-  EXPECT_EQ(std::count(flagged.begin(), flagged.end(), true), 0);
-}
-
-TEST(FlagOutliers, FlagsNormalNoiseAsRarelyAsItSays) {
-  // 2e-5 per reading: of 30,000 none or a few.
-  Rng rng(3);
-  for (const int coordinates : {1, 3, 6}) {
-    Eigen::VectorXd y(30000 * coordinates);
-    for (double& value : y) value = rng.Normal();
-    const auto flagged = FlagOutliers(y, Eigen::MatrixXd::Zero(y.size(), 0), coordinates);
-    EXPECT_LE(std::count(flagged.begin(), flagged.end(), true), 5) << coordinates;
-  }
-}
-
-TEST(FlagOutliers, ATenthOfTheRowsAreNoOutliers) {
-  Eigen::VectorXd y = Eigen::VectorXd::Random(300);
-  for (int k = 0; k < 30; ++k) y[9 * k] = 40;
-  for (const bool flagged : FlagOutliers(y, Eigen::MatrixXd::Zero(300, 0), 3)) {
-    EXPECT_FALSE(flagged);
-  }
 }
 
 }  // namespace

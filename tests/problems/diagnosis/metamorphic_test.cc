@@ -11,9 +11,6 @@
 
 #include "core/base/units.h"
 #include "core/physics/registry.h"
-#include "problems/diagnosis/complete_fit.h"
-#include "problems/diagnosis/projection.h"
-#include "problems/diagnosis/search.h"
 #include "problems/formats/recording/recording_reader.h"
 #include "tests/support/problem_cases.h"
 #include "tests/support/robots.h"
@@ -210,65 +207,6 @@ INSTANTIATE_TEST_SUITE_P(Changes,
                                          Change{"MeasuredFromElsewhere", MeasuredFromElsewhere},
                                          Change{"AnotherColumn", WithAnotherColumn}),
                          [](const auto& param) { return param.param.name; });
-
-/// What the search keeps and accepts with the candidates in an order.
-Decision SearchWith(const Draw& draw, const std::vector<EffectRequest>& candidates) {
-  const auto fit = FitComplete(draw.spec, draw.recording, {}, nullptr, {});
-  const Calibration& c = fit->calibration;
-  const DesignRows rows(c, fit->state(), fit->fit.noise_seen, c.readings.fitted);
-  const Eigen::MatrixXd U = ModelBasis(*fit, c.readings.fitted);
-  const Eigen::VectorXd y = ProjectOff(U, rows.y());
-  const PhysicsContext context = c.Context();
-  HypothesisSpace space(context, rows, U, y);
-  for (const EffectRequest& request : candidates) space.AddEffect(request);
-  for (const MapBlock& block : MapBlocks(context)) space.AddMap(block);
-  SearchOptions options;
-  options.sigma_known = true;
-  options.nu = static_cast<double>(rows.num_rows() - U.cols());
-  const SearchOutcome out = Search(options, &space);
-  Decision decision;
-  decision.verdict = out.consistent ? "consistent" : out.complete ? "explained" : "not explained";
-  const auto named = [&](const std::vector<int>& members) {
-    HypothesisResult result;
-    for (const int k : members) {
-      result.effects.push_back(space.all()[static_cast<std::size_t>(k)].request);
-    }
-    return Label(result);
-  };
-  for (const TestedSet& set : out.tested) {
-    if (set.kept) decision.kept.insert(named(set.members));
-  }
-  decision.findings[named(out.accepted)] = {};
-  return decision;
-}
-
-std::vector<EffectRequest> Candidates(const Draw& draw) {
-  const PhysicsContext context(draw.spec.robot, draw.recording, {draw.spec.robot.X_WB});
-  std::vector<EffectRequest> candidates;
-  for (const Effect* const effect : AllEffects()) {
-    for (const EffectRequest& request : effect->Candidates(context)) {
-      if (effect->NotTestable(context, request).empty()) candidates.push_back(request);
-    }
-  }
-  return candidates;
-}
-
-TEST(Candidates, MayComeInAnyOrderAndTwice) {
-  if (kSanitized) GTEST_SKIP() << "too slow with sanitizers; the other tests run the same code";
-  for (const Draw& draw : {TwoEffects(), Clean()}) {
-    const std::vector<EffectRequest> candidates = Candidates(draw);
-    const Decision plain = SearchWith(draw, candidates);
-    const std::vector<EffectRequest> reversed(candidates.rbegin(), candidates.rend());
-    {
-      SCOPED_TRACE("reversed");
-      ExpectSame(plain, SearchWith(draw, reversed));
-    }
-    std::vector<EffectRequest> doubled = candidates;
-    doubled.insert(doubled.end(), candidates.begin(), candidates.end());
-    SCOPED_TRACE("twice");
-    ExpectSame(plain, SearchWith(draw, doubled));
-  }
-}
 
 struct Weak {
   std::string name;

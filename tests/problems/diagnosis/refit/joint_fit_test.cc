@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/diagnosis/hypotheses/library.h"
-#include "tools/support/study_scenarios.h"
+#include "tools/study/scenarios.h"
 
 namespace dhcal {
 namespace {
