@@ -1,6 +1,5 @@
 #include "core/physics/run_frame_effect.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -82,17 +81,26 @@ EffectPlace RunFrameEffect::Place(const PhysicsContext& /*c*/,
 
 std::string RunFrameEffect::Sentence(const EffectRequest& /*request*/,
                                      const std::vector<EffectValue>& values) const {
-  std::map<std::string, double> squares;  // of each run's displacement
+  struct Square {
+    double value = 0, variance = 0;  // of the length, and of it times the length
+  };
+  std::map<std::string, Square> squares;  // of each run's displacement
   for (const EffectValue& value : values) {
     if (value.unit != "m") continue;
-    squares[value.parameter.substr(value.parameter.find('_') + 1)] += value.value * value.value;
+    Square& square = squares[value.parameter.substr(value.parameter.find('_') + 1)];
+    square.value += value.value * value.value;
+    square.variance += std::pow(value.value * value.sigma, 2);
   }
-  double largest = 0;
-  for (const auto& [run, square] : squares) largest = std::max(largest, std::sqrt(square));
-  return fmt::format(
-      "the {0} differs between the runs by up to {1:.3g} mm: set {0}: {{per_run: true}}",
-      frame_,
-      largest / 1e-3);
+  EffectValue largest;
+  for (const auto& [run, square] : squares) {
+    const double length = std::sqrt(square.value);
+    if (length <= largest.value) continue;
+    largest.value = length;
+    largest.sigma = std::sqrt(square.variance) / length;
+  }
+  return fmt::format("the {0} differs between the runs by up to {1}: set {0}: {{per_run: true}}",
+                     frame_,
+                     Quantity(largest, 1e-3, "mm"));
 }
 
 WorkedExample RunFrameEffect::Example() const {

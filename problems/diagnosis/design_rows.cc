@@ -4,6 +4,7 @@
 #include <map>
 
 #include <Eigen/Cholesky>
+#include <glog/logging.h>
 
 namespace dhcal {
 namespace {
@@ -95,6 +96,7 @@ DesignRows::DesignRows(const Calibration& c,
   TakeOutOffsets(&y_);
   now_.conservativeResize(filled_, Eigen::NoChange);
   if (before_.rows() > 0) before_.conservativeResize(filled_, Eigen::NoChange);
+  if (weights.correlation != 0) WhitenSerially();
 }
 
 PoseWithDerivatives DesignRows::PoseAt(int row) const {
@@ -215,6 +217,24 @@ void DesignRows::AddSeries(const std::vector<Reading>& readings) {
     for (Eigen::SparseMatrix<double>::InnerIterator it(offsets_, k); it; ++it) {
       it.valueRef() /= length;
     }
+  }
+}
+
+void DesignRows::WhitenSerially() {
+  CHECK(CanWhiten(c_));
+  const double rho = weights_.correlation, scale = 1 / std::sqrt(1 - rho * rho);
+  before_ = Eigen::MatrixXd::Zero(now_.rows(), now_.cols());
+  before_row_ = now_row_;
+  // From the end, so that the row before is still the original.
+  for (int k = num_rows() - 1; k >= coordinates_; --k) {
+    const int previous = k - coordinates_;
+    const int row = now_row_[static_cast<std::size_t>(k)];
+    const int row_before = now_row_[static_cast<std::size_t>(previous)];
+    if (c_.recording.run(row) != c_.recording.run(row_before)) continue;
+    before_.row(k) = rho * scale * now_.row(previous);
+    before_row_[static_cast<std::size_t>(k)] = row_before;
+    now_.row(k) *= scale;
+    y_[k] = scale * (y_[k] - rho * y_[previous]);
   }
 }
 

@@ -30,6 +30,9 @@ struct RowWeights {
   Eigen::VectorXd quantum;
   /// Weight of each recording row's squares; empty = 1.
   Eigen::VectorXd weight;
+  /// Lag-1 correlation of the readings' errors within runs, which is taken out (AR(1), Prais and
+  /// Winsten 1954). Only for readings of one pose each: see CanWhiten.
+  double correlation = 0;
 };
 
 class DesignRows {
@@ -44,6 +47,11 @@ class DesignRows {
              const Eigen::VectorXd& state,
              const Noise& noise,
              const std::vector<Reading>& readings);
+
+  /// False where rows hold two poses or a series' offset already.
+  static bool CanWhiten(const Calibration& calibration) {
+    return !calibration.measurement->kind().pairs;
+  }
 
   int num_rows() const { return static_cast<int>(y_.size()); }
   /// Coordinates per reading; rows come reading by reading.
@@ -73,6 +81,7 @@ class DesignRows {
 
  private:
   PoseWithDerivatives PoseAt(int row) const;
+  void WhitenSerially();
   void AddReading(const Reading& reading);
   void AddSeries(const std::vector<Reading>& readings);
   /// Covariance that the rounding of joint coordinates gives to rows with these derivatives.

@@ -223,6 +223,12 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   say("what unseen rows say");
   TakeBack(model, loop, &outcome, &d);
 
+  if (outcome.correlation > 0) {
+    d.notes.push_back(fmt::format(
+        "What is left of neighbouring readings correlates ({:.2f}); it was taken out as serial "
+        "noise, so that slow noise is not taken for a drift or a step.",
+        outcome.correlation));
+  }
   const std::size_t good = loop.GoodReadings(false).size();
   if (good > static_cast<std::size_t>(kTuning.most_searched)) {
     d.notes.push_back(fmt::format(
@@ -290,12 +296,15 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
     }
   }
   AddConfusables(model, outcome, &d);
-  for (const Member& member : outcome.fit.state.members) {
+  const VectorXd tied = TiedValues(model, outcome.fit);
+  for (std::size_t m = 0; m < outcome.fit.state.members.size(); ++m) {
+    const Member& member = outcome.fit.state.members[m];
     if (member.given || member.item.kind != ItemKind::kEffect) continue;
+    const int own = outcome.fit.FirstColumn(m);
     EffectRequest request = member.item.request;
     const std::vector<EffectColumn> columns = EffectColumns(*outcome.fit.context, request);
     for (std::size_t k = 0; k < columns.size(); ++k) {
-      request.values[columns[k].parameter] = member.value[static_cast<Index>(k)];
+      request.values[columns[k].parameter] = tied[own + static_cast<Index>(k)];
     }
     d.model.push_back(std::move(request));
   }

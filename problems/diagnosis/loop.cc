@@ -155,6 +155,7 @@ Loop::Found Loop::SearchAt(const JointRows& joint,
     own.first = first;
     own.size = item.size;
     own.variants = item.variants;
+    own.unnamed = item.kind == ItemKind::kCell;
     own.chosen_name = item.kind != ItemKind::kCompletion;
     own.positive = item.positive;
     if (item.kind == ItemKind::kEffect) own.typical = item.typical;
@@ -274,6 +275,7 @@ LoopOutcome Loop::Run() {
     const double sigma_before = noise_.sigma;
     UpdateOutliers(joint, true);
     UpdateNoise(joint);
+    if (UpdateCorrelation(joint)) changed = true;
     changed = changed || off_ != off_before ||
               std::abs(std::log(noise_.sigma / sigma_before)) > kNoiseSettled;
     if (!changed) break;
@@ -310,6 +312,7 @@ LoopOutcome Loop::Run() {
   outcome.rule = RuleAt(joint, outcome.free.size(), names_);
   outcome.fit = std::move(joint);
   outcome.noise = noise_;
+  outcome.correlation = correlation_;
   outcome.off = off_;
   return outcome;
 }

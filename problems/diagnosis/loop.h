@@ -37,7 +37,8 @@ struct LoopOutcome {
   std::vector<Item> completions;  // found
   std::vector<int> free;          // unknowns of the fit
   Noise noise;
-  std::set<int> off;  // recording rows set aside, test rows too
+  double correlation = 0;  // of neighbouring rows' errors, taken out
+  std::set<int> off;       // recording rows set aside, test rows too
   EvidenceRule rule;
   std::vector<std::vector<Item>> listed;  // sets that are not told apart, the found one first
   std::vector<double> listed_evidence;    // beside the best
@@ -63,6 +64,10 @@ class Loop {
   void RobustStart();
   void UpdateOutliers(const JointRows& joint, bool with_leverage);
   void UpdateNoise(const JointRows& joint);
+  /// Takes the rows' serial correlation out from here on, where what the whole model leaves has
+  /// one: estimated any earlier it would eat physics wherever neighbouring rows are neighbouring
+  /// poses. True if it changed.
+  bool UpdateCorrelation(const JointRows& joint);
   /// Moves the instants of steps over all fitted rows, those set aside included: a step that came a
   /// few rows too early makes good rows lie off, and without them it would stay there.
   JointRows WithInstantsMoved(JointRows joint) const;
@@ -92,6 +97,7 @@ class Loop {
   Noise noise_;
   std::set<int> off_;
   Eigen::VectorXd weight_;
+  double correlation_ = 0;
   int names_ = 1;
 };
 

@@ -20,6 +20,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kHuber = 2;  // robust standard deviations of a reading that counts in full
+constexpr double kMostCorrelation = 0.95;
+constexpr double kCorrelationSettled = 0.05;
 constexpr double kColumnsOfRows = 1.0 / 6;  // at most, of a first model
 
 /// Mean leverage of each reading in a fit.
@@ -78,6 +80,7 @@ RowChoice Loop::Choice(bool all) const {
   choice.weights.noise = noise_;
   choice.weights.quantum = in_.quanta;
   choice.weights.weight = weight_;
+  choice.weights.correlation = correlation_;
   return choice;
 }
 
@@ -139,6 +142,31 @@ void Loop::UpdateNoise(const JointRows& joint) {
   if (m == 6) {
     noise_.sigma_rotation *= std::sqrt(std::max(turns / (readings * 3) / share, 1e-12));
   }
+}
+
+bool Loop::UpdateCorrelation(const JointRows& joint) {
+  const Calibration& c = model_.calibration();
+  if (!DesignRows::CanWhiten(c) || in_.readings_per_pose > 1) return false;
+  RowChoice plain = Choice();
+  plain.weights.correlation = 0;
+  const DesignRows rows(c, joint.state.deltas, plain.weights, plain.readings);
+  const int m = rows.coordinates();
+  double product = 0, square = 0;
+  for (int k = m; k < rows.num_rows(); ++k) {
+    const int row = rows.now_row()[static_cast<std::size_t>(k)];
+    const int before = rows.now_row()[static_cast<std::size_t>(k - m)];
+    if (c.recording.run(row) != c.recording.run(before)) continue;
+    product += rows.y()[k] * rows.y()[k - m];
+    square += rows.y()[k] * rows.y()[k];
+  }
+  const double significant =
+      std::max(kTuning.least_correlation,
+               kTuning.correlation_errors / std::sqrt(static_cast<double>(rows.num_rows())));
+  double now = square > 0 ? std::min(product / square, kMostCorrelation) : 0.0;
+  if (now < significant) now = 0;
+  const bool changed = std::abs(now - correlation_) > kCorrelationSettled;
+  if (changed) correlation_ = now;
+  return changed;
 }
 
 void Loop::RobustStart() {

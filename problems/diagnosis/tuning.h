@@ -16,10 +16,12 @@ struct Tuning {
   double most_outliers = 0.2;
   /// Repeats are put together where they leave at most this share of the rows.
   double repeats_share = 0.5;
+  /// Serial correlation of neighbouring rows that is taken out: at least so much, and so many
+  /// standard errors.
+  double least_correlation = 0.1;
+  double correlation_errors = 4;
   /// Readings that are searched, evenly over a longer recording; the last fit uses all.
   int most_searched = 3000;
-  /// A stated sigma is doubted beyond this factor between it and the residuals' median.
-  double doubtful_sigma = 3;
 
   // Start: blocks that are taken into the first, robust model.
   int start_blocks = 8;
@@ -29,7 +31,7 @@ struct Tuning {
   // square root of the misfit, so that a model that lacks much is not held by them.
   double prior_angle = 10e-3;  // [rad] rows
   double prior_length = 5e-3;  // [m] rows
-  double prior_frame = 30e-3;  // [rad], [m] base and tool
+  double prior_frame = 300e-3;  // [rad], [m] base and tool: forgotten ones are as long
   double mass_error = 0.25;    // of a stated mass
   double centre_error = 0.03;  // [m] of a stated centre of mass
   double guessed_mass = 0.7;   // the same where the masses are guessed
@@ -43,6 +45,8 @@ struct Tuning {
   double size_decades = 1;
   /// Beyond this many usual sizes a name is no explanation.
   double largest_size = 100;
+  /// Evidence by which a free function must be better than a name.
+  double unnamed_charge = 5;
   /// Sets this close to the best (in chi-square, as BIC counts) are not told apart: odds of 1 to
   /// 150.
   double list_margin = 10;

@@ -59,13 +59,11 @@ class BacklashEffect final : public Effect {
                                     const EffectRequest& request) const override {
     const int joint = JointIndex(request);
     const bool turns = c.revolute(joint);
-    EffectColumn width = SlotColumn("width",
-                                    turns ? "rad" : "m",
-                                    turns ? kTypicalAngle : kTypicalLength,
-                                    c.joint_slot(joint),
-                                    0.5 * Flank(c, request));
-    width.positive = true;
-    return {width};
+    return {SlotColumn("width",
+                       turns ? "rad" : "m",
+                       turns ? kTypicalAngle : kTypicalLength,
+                       c.joint_slot(joint),
+                       0.5 * Flank(c, request))};
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
     return WithVariant(*this, c, EveryJoint(c, "backlash", /*revolute_only=*/false), "flank");

@@ -79,7 +79,7 @@ class SettlingEffect final : public Effect {
     example.request.values["share"] = 1e-3;
     example.row = 1;
     example.slot = "theta2";
-    example.expected = -3.4906585e-4;
+    example.expected = -3.490658503988659e-4;
     return example;
   }
 };

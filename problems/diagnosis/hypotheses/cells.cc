@@ -21,7 +21,6 @@ constexpr int kTimeKnots = 8;
 constexpr int kFrameKnots = 5;
 constexpr int kMostRunsOfACell = 12;
 constexpr char kRun[] = "run";
-constexpr double kLeastMotion = 1e-5;  // [rad] or [m]; less is read-out jitter of a parked joint
 
 /// A driver and the functions of it that are tried.
 struct CellDriver {
@@ -30,10 +29,11 @@ struct CellDriver {
   VectorXd values;     // empty: several drivers
 };
 
-bool Moves(const VectorXd& values, double least = 1e-9) {
+bool Moves(const VectorXd& values) {
+  constexpr double kLeast = 1e-9;  // of the largest value
   return values.size() > 0 && values.allFinite() &&
          values.maxCoeff() - values.minCoeff() >
-             least * std::max(1.0, values.cwiseAbs().maxCoeff());
+             kLeast * std::max(1.0, values.cwiseAbs().maxCoeff());
 }
 
 /// Hats on even knots without the first: a constant is the geometry's.
@@ -115,7 +115,7 @@ std::vector<CellDriver> OwnCellDrivers(const PhysicsContext& c, int joint) {
   std::vector<CellDriver> drivers;
   const Recording& rec = c.recording();
   const VectorXd direction = c.direction().col(joint);
-  if (Moves(direction) && Moves(c.q(joint), kLeastMotion)) {
+  if (Moves(direction) && c.moves(joint)) {
     CellDriver driver{"approach direction", MatrixXd(c.num_rows(), 5), {}};
     const Eigen::ArrayXd q = c.q(joint).array();
     driver.functions.col(0) = direction;
@@ -155,7 +155,7 @@ std::vector<Item> CellItems(const PhysicsContext& c) {
   const std::vector<CellDriver> circumstances = CircumstanceDrivers(c);
   std::vector<int> moving;
   for (int joint = 0; joint < c.num_joints(); ++joint) {
-    if (Moves(c.q(joint), kLeastMotion)) moving.push_back(joint);
+    if (c.moves(joint)) moving.push_back(joint);
   }
   std::vector<Item> items;
   for (int joint = 0; joint < c.num_joints(); ++joint) {

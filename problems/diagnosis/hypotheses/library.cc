@@ -245,6 +245,7 @@ std::vector<Item> NamedItems(const PhysicsContext& c, const LibraryOptions& opti
     if (!names.empty() && std::find(names.begin(), names.end(), description.name) == names.end()) {
       continue;
     }
+    if (!description.may_be_named) continue;
     std::map<std::string, int> count;
     std::vector<EffectRequest> forms;
     for (const EffectRequest& request : FormsOf(*effect, c, options)) {

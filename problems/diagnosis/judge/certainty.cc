@@ -93,12 +93,14 @@ std::vector<Certainty> Certainties(const JointModel& model,
     }
     certainties.push_back(c);
   };
-  auto first = static_cast<int>(joint.free.size());
+  const VectorXd tied = TiedValues(model, joint);
+  const auto num_free = static_cast<int>(joint.free.size());
+  int first = num_free;
   for (const Member& member : joint.state.members) {
     std::vector<int> columns;
     for (int k = 0; k < member.item.size; ++k) columns.push_back(first + k);
     first += member.item.size;
-    judge(columns, member.value);
+    judge(columns, tied.segment(first - member.item.size - num_free, member.item.size));
   }
   for (const Item& item : completions) {
     std::vector<int> columns;

@@ -26,7 +26,7 @@ constexpr double kWorthReading = 3;  // standard deviations of a coordinate
 constexpr double kSameThing = 1e-6;  // basis cut
 constexpr double kHolds = 0.98;      // of a signature's squares
 
-/// What tells the members of a confusability class apart (physics.md A.10).
+/// What tells the members of a confusability class apart (PHYSICS.md, C1 to C10).
 std::string AdviceOf(const std::string& effect_class) {
   static const std::map<std::string, std::string> advice = {
       {"C1", "a second target on the base or on link 2, or a load from the side"},

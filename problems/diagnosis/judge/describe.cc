@@ -112,11 +112,11 @@ std::vector<Finding> DescribeMembers(const JointModel& model,
         const auto i = static_cast<Index>(k);
         finding.parameters.push_back(Found(ParameterName(request, columns[k].parameter),
                                            columns[k].unit,
-                                           member.value[i],
+                                           certainty.value[i],
                                            certainty.sigma[i],
                                            quantile));
         values.push_back(
-            {columns[k].parameter, columns[k].unit, member.value[i], certainty.sigma[i]});
+            {columns[k].parameter, columns[k].unit, certainty.value[i], certainty.sigma[i]});
         if (columns[k].positive && finding.parameters.back().ci95_high < 0) {
           finding.cautions.push_back(columns[k].parameter +
                                      " is negative, which no such mechanism can be");

@@ -19,7 +19,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr std::size_t kMostCells = 40;
+constexpr std::size_t kMostCells = 200;
 constexpr int kRestKnots = 9;
 constexpr double kSmallestCurve = 1e-6;  // of the largest direction
 constexpr double kLeftOfColumn = 1e-3;   // of its squares: below, geometry can do it as well

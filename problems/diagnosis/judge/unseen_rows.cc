@@ -81,6 +81,7 @@ UnseenRows::UnseenRows(const JointModel& model,
   for (const Member& member : joint.state.members) {
     first_.push_back(first);
     size_.push_back(member.item.size);
+    elastic_.push_back(member.item.elastic);
     first += member.item.size;
   }
   white_ = RowsOf(model, joint);
@@ -141,6 +142,11 @@ std::vector<int> UnseenRows::Kept(const std::vector<int>& dropped) const {
   std::vector<bool> out(static_cast<std::size_t>(all_.b.size()), false);
   for (const int m : dropped) {
     const auto at = static_cast<std::size_t>(m);
+    // Without an elastic member its masses' columns would do its work.
+    if (elastic_[at]) {
+      const std::size_t masses = mass_idx_.size();
+      std::fill(out.end() - static_cast<std::ptrdiff_t>(masses), out.end(), true);
+    }
     for (int k = 0; k < size_[at]; ++k) out[static_cast<std::size_t>(first_[at] + k)] = true;
   }
   std::vector<int> kept;

@@ -64,6 +64,7 @@ class UnseenRows {
   int num_free_ = 0;
   std::vector<int> first_;  // column of each member
   std::vector<int> size_;
+  std::vector<bool> elastic_;
   std::vector<int> mass_idx_;
   std::vector<int> row_of_;  // recording row of each fitted row
   Rows white_, raw_, test_white_, test_raw_;

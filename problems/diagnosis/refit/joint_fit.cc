@@ -99,14 +99,23 @@ JointRows FitJointly(const JointModel& model,
   return joint;
 }
 
-MatrixXd TiedMasses(const JointModel& model, const JointRows& joint) {
-  if (joint.N.cols() == 0) return joint.N;
+namespace {
+
+/// Columns of the elastic members in X.
+std::vector<int> ElasticColumns(const JointRows& joint) {
   std::vector<int> elastic;
   for (std::size_t m = 0; m < joint.state.members.size(); ++m) {
     if (!joint.state.members[m].item.elastic) continue;
     const int first = joint.FirstColumn(m);
     for (int i = 0; i < joint.state.members[m].item.size; ++i) elastic.push_back(first + i);
   }
+  return elastic;
+}
+
+/// How much of the elastic columns is in each column of N, beside the geometry under its prior.
+MatrixXd ShareOfMasses(const JointModel& model,
+                       const JointRows& joint,
+                       const std::vector<int>& elastic) {
   JointRows geometry_only = joint;
   geometry_only.X.resize(joint.X.rows(), 0);
   geometry_only.value.resize(0);
@@ -122,8 +131,24 @@ MatrixXd TiedMasses(const JointModel& model, const JointRows& joint) {
   const VectorXd lengths = Lengths(P);
   Eigen::ColPivHouseholderQR<MatrixXd> qr(P * lengths.cwiseInverse().asDiagonal());
   qr.setThreshold(1e-8);
-  const MatrixXd share = qr.solve(R);
-  return joint.N - X * lengths.cwiseInverse().asDiagonal() * share;
+  return lengths.cwiseInverse().asDiagonal() * qr.solve(R);
+}
+
+}  // namespace
+
+MatrixXd TiedMasses(const JointModel& model, const JointRows& joint) {
+  if (joint.N.cols() == 0) return joint.N;
+  const std::vector<int> elastic = ElasticColumns(joint);
+  return joint.N - joint.X(Eigen::all, elastic) * ShareOfMasses(model, joint, elastic);
+}
+
+VectorXd TiedValues(const JointModel& model, const JointRows& joint) {
+  VectorXd value = joint.value;
+  if (joint.N.cols() == 0) return value;
+  const std::vector<int> elastic = ElasticColumns(joint);
+  const VectorXd masses = joint.state.masses(joint.mass_idx);
+  value(elastic) += ShareOfMasses(model, joint, elastic) * masses;
+  return value;
 }
 
 MatrixXd JointCovariance(const JointModel& model, const JointRows& joint) {

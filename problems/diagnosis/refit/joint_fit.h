@@ -23,6 +23,10 @@ JointRows FitJointly(const JointModel& model,
 /// priors): else the freedom of the masses contains the effect itself.
 Eigen::MatrixXd TiedMasses(const JointModel& model, const JointRows& joint);
 
+/// Values of the members' parameters as they are with the masses that were stated: what the masses'
+/// errors do in the direction of the elastic members counts as theirs.
+Eigen::VectorXd TiedValues(const JointModel& model, const JointRows& joint);
+
 /// [A N X] over the priors' rows, and the same of y; columns as they come, SI and priors.
 struct Augmented {
   Eigen::MatrixXd B;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -114,12 +115,30 @@ VectorXd ReadOutQuanta(const Recording& recording, const RobotModel& robot) {
 }
 
 std::vector<int> PosesOfRows(const Recording& recording) {
-  std::map<std::vector<long>, int> known;
+  // By the first joint, so that a row is compared with few others.
+  std::vector<int> order(static_cast<std::size_t>(recording.num_rows()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return recording.q(a, 0) < recording.q(b, 0);
+  });
+  std::vector<int> first_of(order.size());  // the row that a row is the same pose as
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const int row = order[k];
+    first_of[static_cast<std::size_t>(row)] = row;
+    for (std::size_t i = k; i-- > 0;) {
+      const int other = order[i];
+      if (recording.q(row, 0) - recording.q(other, 0) > kSameAngle) break;
+      if (!((recording.q.row(row) - recording.q.row(other)).cwiseAbs().maxCoeff() < kSameAngle)) {
+        continue;
+      }
+      first_of[static_cast<std::size_t>(row)] = first_of[static_cast<std::size_t>(other)];
+      break;
+    }
+  }
+  std::map<int, int> known;
   std::vector<int> poses;
-  for (int row = 0; row < recording.num_rows(); ++row) {
-    std::vector<long> key;
-    for (const double q : recording.q.row(row)) key.push_back(std::lround(q / kSameAngle));
-    poses.push_back(known.emplace(key, static_cast<int>(known.size())).first->second);
+  for (const int first : first_of) {
+    poses.push_back(known.emplace(first, static_cast<int>(known.size())).first->second);
   }
   return poses;
 }

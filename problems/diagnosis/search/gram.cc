@@ -78,7 +78,8 @@ SetEvaluator::SetEvaluator(Gram gram, std::vector<GramItem> items, const Evidenc
     for (int k = item.first; k < item.first + item.size; ++k) {
       if (gram_.G(k, k) > kVisible * gram_.norm2[k]) ++visible;
     }
-    price_.push_back(rule_.Price(std::max(visible, 1), item.variants, item.chosen_name));
+    price_.push_back(rule_.Price(std::max(visible, 1), item.variants, item.chosen_name) +
+                     (item.unnamed ? kTuning.unnamed_charge : 0.0));
   }
 }
 

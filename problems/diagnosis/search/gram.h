@@ -34,6 +34,7 @@ struct GramItem {
   std::string id;
   int first = 0, size = 0;  // columns
   int variants = 1;
+  bool unnamed = false;        // a free function: a name that does nearly as well comes before it
   bool chosen_name = true;     // false: one of very few (a completion), whose choice costs nothing
   std::vector<bool> positive;  // per column: negative values are impossible
   Eigen::VectorXd typical;     // usual size per column; empty = none is unusual

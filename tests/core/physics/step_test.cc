@@ -54,6 +54,8 @@ TEST(Step, ATimeThatBeginsAnewInEachRunIsNoInstant) {
 
 TEST(Drift, BeginsAnewWithEachRun) {
   Recording rows = WorkedExampleRecording();  // 0, 3600, 7200 s
+  rows.run_names.clear();
+  rows.run_idx.clear();
   const RobotModel robot = WorkedExampleRobot();
   EXPECT_EQ(PhysicsContext(robot, rows, {robot.X_WB}).drift_clock(),
             Eigen::Vector3d(0, 3600, 7200));
