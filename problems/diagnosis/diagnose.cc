@@ -34,6 +34,9 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+// Of the false-alarm rate; the rest is for structures without a name.
+constexpr double kShareOfNames = 0.5;
+
 using Say = std::function<void(const std::string&)>;
 
 /// What a joint's readings say of its last motion, in the controller's sense; zeros without rows.
@@ -192,7 +195,7 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   LoopInputs inputs;
   inputs.model = &model;
   inputs.names = spec.diagnosis.effects;
-  inputs.false_alarm = spec.diagnosis.false_alarm;
+  inputs.false_alarm = kShareOfNames * spec.diagnosis.false_alarm;
   inputs.readings_per_pose = ReadingsPerPose(c);
   inputs.sigma_known =
       SourceOfNoise(c).all_given() && !distinct.averaged && inputs.readings_per_pose == 1;
@@ -272,11 +275,12 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   const Structure first = StrongestStructure(bank_before, searched_rule, misfit.noise_sigma);
   const Bank bank(model, searched, loop.Items(outcome.fit, true), outcome.free);
   const Structure last = StrongestStructure(bank, searched_rule, misfit.noise_sigma);
-  misfit.p_value = std::exp(std::max(first.log_p, -690.0));  // of the geometry alone
+  // Of the geometry alone, by the strongest structure; names and structures share the rate.
+  misfit.p_value = std::min(1.0, std::exp(std::max(first.log_p, -690.0)) / (1 - kShareOfNames));
   d.map = first.map;
 
   Judged judged;
-  judged.rest = last.log_p < std::log(spec.diagnosis.false_alarm);
+  judged.rest = last.log_p < std::log((1 - kShareOfNames) * spec.diagnosis.false_alarm);
   const double variance = RobustVariance(outcome.fit.y(), outcome.fit.rows->coordinates());
   if (inputs.sigma_known && variance > kTuning.restless) judged.rest = true;
   for (const Member& member : outcome.fit.state.members) {
@@ -292,7 +296,7 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   for (const Finding& finding : d.findings) {
     // A line of a gear is found by a scan, which is not among the structures above.
     if (finding.effect_class != "geometry") {
-      misfit.p_value = std::min(misfit.p_value, finding.p_value);
+      misfit.p_value = std::min(misfit.p_value, finding.p_value / kShareOfNames);
     }
   }
   AddConfusables(model, outcome, &d);

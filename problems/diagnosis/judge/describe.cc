@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "core/math/statistics.h"
 #include "core/physics/registry.h"
 #include "problems/diagnosis/refit/joint_fit.h"
@@ -32,6 +34,14 @@ bool OneThing(const EffectRequest& a, const EffectRequest& b) {
     return r.effect == kLineEffect || IsCurve(r);
   };
   return of_angle(a) && of_angle(b);
+}
+
+/// Many lines of one joint are the series of a curve, not so many mechanisms.
+bool IsSeries(const std::vector<int>& group, const std::vector<Member>& members) {
+  constexpr std::size_t kLinesOfACurve = 3;
+  return group.size() >= kLinesOfACurve && std::none_of(group.begin(), group.end(), [&](int m) {
+    return IsCurve(members[static_cast<std::size_t>(m)].item.request);
+  });
 }
 
 double Quantile95(const EvidenceRule& rule) {
@@ -137,6 +147,14 @@ std::vector<Finding> DescribeMembers(const JointModel& model,
       parameters += member.item.size;
       const VectorXd scaled = certainty.value.cwiseQuotient(certainty.sigma.cwiseMax(1e-300));
       square += scaled.squaredNorm();
+    }
+    if (IsSeries(group, fit.state.members)) {
+      finding.effect.effect = CurveEffect().Describe().name;
+      finding.effect.settings.clear();
+      finding.sentence = fmt::format(
+          "joint {} errs by a curve of its own angle, here as a sum of lines: {}",
+          finding.effect.joint,
+          finding.sentence);
     }
     const EffectPlace place = FindEffect(finding.effect.effect)->Place(context, finding.effect);
     finding.effect_class = place.effect_class;

@@ -52,7 +52,7 @@ TEST(Diagnose, ThePartNotExplainedIsThatOfTheTwoRmsAboveTheNoise) {
   Scenario scenario = With(Request("joint_compliance", 2, {{"compliance", 3e-6}}));
   scenario.outside = [](const PhysicsContext& c, int row, Eigen::VectorXd* delta) {
     const double x = (c.recording().q(row, 2) / kDegree - 15) / 10;
-    (*delta)[c.slots().joint(2, JointSlot::kTheta)] += 0.6e-3 * std::exp(-0.5 * x * x);
+    (*delta)[c.slots().joint(4, JointSlot::kTheta)] += 0.6e-3 * std::exp(-0.5 * x * x);
   };
   const Draw draw = MakeDraw(scenario, 8);
   const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
@@ -181,13 +181,13 @@ TEST(Diagnose, SomethingOutsideTheLibraryIsLocatedNotNamed) {
   Scenario scenario;
   scenario.outside = [](const PhysicsContext& c, int row, Eigen::VectorXd* delta) {
     const double x = (c.recording().q(row, 2) / kDegree - 15) / 10;
-    (*delta)[c.slots().joint(2, JointSlot::kTheta)] += 0.6e-3 * std::exp(-0.5 * x * x);
+    (*delta)[c.slots().joint(4, JointSlot::kTheta)] += 0.6e-3 * std::exp(-0.5 * x * x);
   };
   const Draw draw = MakeDraw(scenario, 8);
   const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
   EXPECT_EQ(d.verdict, DiagnosisVerdict::kUnexplained) << d.summary;
   ASSERT_TRUE(d.unexplained.has_value());
-  EXPECT_EQ(d.unexplained->slot, "theta3");
+  EXPECT_EQ(d.unexplained->slot, "theta5");
   EXPECT_EQ(d.unexplained->driver, "q3");
   EXPECT_GE(d.unexplained->curve.size(), 5);
 }

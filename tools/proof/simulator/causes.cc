@@ -205,6 +205,8 @@ Cause Late(double seconds) {
 
 Cause ToothDamaged(int joint, double at, double width, double depth) {
   Cause cause = Named("", joint, "");
+  // Outside the library as a mechanism, yet a curve of the joint's own angle.
+  cause.also = {"transmission_error"};
   cause.parameters = 3;
   cause.apply = [=](Physics* physics, double scale) {
     physics->drives[DriveIndex(joint)].form = [=](double q) {
@@ -218,6 +220,8 @@ Cause ToothDamaged(int joint, double at, double width, double depth) {
 
 Cause Kinked(int joint, double at, double slope) {
   Cause cause = Named("", joint, "");
+  // Outside the library as a mechanism, yet a curve of the joint's own angle.
+  cause.also = {"transmission_error"};
   cause.parameters = 2;
   cause.apply = [=](Physics* physics, double scale) {
     physics->drives[DriveIndex(joint)].form = [=](double q) {
