@@ -154,7 +154,7 @@ void AddUnexplained(const Bank& bank,
   const double unnamed = sigma * sigma * std::max(structure.gain, largest * largest) / rows;
   const double before = d->rms_train_before * d->rms_train_before - sigma * sigma;
   const double after = d->rms_train_after * d->rms_train_after - sigma * sigma;
-  const double left = std::max(after, unnamed);
+  const double left = after > 0 ? after : unnamed;
   d->unexplained->rms = std::sqrt(left);
   d->unexplained->fraction = before > left ? left / before : 1.0;
 }
@@ -248,9 +248,11 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   const UnseenRows unseen_before(model, before, choice, loop.GoodReadings(true));
   const UnseenRows unseen(model, outcome.fit, choice, loop.GoodReadings(true));
   d.rms_train_before = unseen_before.FittedRms({});
-  d.rms_train_after = unseen.FittedRms({});
+  // What is announced is what has names.
+  const std::vector<int> cells = CellMembers(outcome.fit.state.members);
+  d.rms_train_after = unseen.FittedRms(cells);
   d.rms_test_before = unseen_before.UnseenRms({});
-  d.rms_test_after = unseen.UnseenRms({});
+  d.rms_test_after = unseen.UnseenRms(cells);
   d.validation_method = unseen.method();
 
   Misfit& misfit = d.misfit;

@@ -1,6 +1,7 @@
 #include "problems/diagnosis/projection.h"
 
 #include <algorithm>
+#include <vector>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>

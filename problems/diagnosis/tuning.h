@@ -29,12 +29,12 @@ struct Tuning {
 
   // Joint fit: what manufacture and set-up leave open, one standard deviation. They grow with the
   // square root of the misfit, so that a model that lacks much is not held by them.
-  double prior_angle = 10e-3;  // [rad] rows
-  double prior_length = 5e-3;  // [m] rows
+  double prior_angle = 10e-3;   // [rad] rows
+  double prior_length = 5e-3;   // [m] rows
   double prior_frame = 300e-3;  // [rad], [m] base and tool: forgotten ones are as long
-  double mass_error = 0.25;    // of a stated mass
-  double centre_error = 0.03;  // [m] of a stated centre of mass
-  double guessed_mass = 0.7;   // the same where the masses are guessed
+  double mass_error = 0.25;     // of a stated mass
+  double centre_error = 0.03;   // [m] of a stated centre of mass
+  double guessed_mass = 0.7;    // the same where the masses are guessed
   double guessed_centre = 0.12;
 
   // Search.

@@ -40,8 +40,8 @@ bool OneThing(const EffectRequest& a, const EffectRequest& b) {
 bool IsSeries(const std::vector<int>& group, const std::vector<Member>& members) {
   constexpr std::size_t kLinesOfACurve = 3;
   return group.size() >= kLinesOfACurve && std::none_of(group.begin(), group.end(), [&](int m) {
-    return IsCurve(members[static_cast<std::size_t>(m)].item.request);
-  });
+           return IsCurve(members[static_cast<std::size_t>(m)].item.request);
+         });
 }
 
 double Quantile95(const EvidenceRule& rule) {
@@ -75,6 +75,14 @@ EffectRequest NameOf(const Item& item) {
   return name;
 }
 
+std::vector<int> CellMembers(const std::vector<Member>& members) {
+  std::vector<int> cells;
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    if (members[k].item.kind == ItemKind::kCell) cells.push_back(static_cast<int>(k));
+  }
+  return cells;
+}
+
 std::vector<std::vector<int>> FindingGroups(const std::vector<Member>& members) {
   std::vector<std::vector<int>> groups;
   for (std::size_t k = 0; k < members.size(); ++k) {
@@ -103,6 +111,7 @@ std::vector<Finding> DescribeMembers(const JointModel& model,
   const double quantile = Quantile95(outcome.rule);
   const double variance = RowVariance(fit, outcome.rule);
   const double rss = fit.y().squaredNorm() / variance;
+  const std::vector<int> cells = CellMembers(fit.state.members);
   std::vector<Finding> findings;
   for (const std::vector<int>& group : groups) {
     Finding finding;
@@ -151,20 +160,22 @@ std::vector<Finding> DescribeMembers(const JointModel& model,
     if (IsSeries(group, fit.state.members)) {
       finding.effect.effect = CurveEffect().Describe().name;
       finding.effect.settings.clear();
-      finding.sentence = fmt::format(
-          "joint {} errs by a curve of its own angle, here as a sum of lines: {}",
-          finding.effect.joint,
-          finding.sentence);
+      finding.sentence =
+          fmt::format("joint {} errs by a curve of its own angle, here as a sum of lines: {}",
+                      finding.effect.joint,
+                      finding.sentence);
     }
     const EffectPlace place = FindEffect(finding.effect.effect)->Place(context, finding.effect);
     finding.effect_class = place.effect_class;
     finding.location = place.location;
     finding.driver = place.driver;
     finding.p_value = Corrected(log_p, 1);
-    finding.rms_train_before = unseen.FittedRms(group);
-    finding.rms_train_after = unseen.FittedRms({});
-    finding.rms_test_before = unseen.UnseenRms(group);
-    finding.rms_test_after = unseen.UnseenRms({});
+    std::vector<int> without = cells;
+    without.insert(without.end(), group.begin(), group.end());
+    finding.rms_train_before = unseen.FittedRms(without);
+    finding.rms_train_after = unseen.FittedRms(cells);
+    finding.rms_test_before = unseen.UnseenRms(without);
+    finding.rms_test_after = unseen.UnseenRms(cells);
     const UnseenRows::Gain gain = unseen.GainOf(group, 0);
     finding.delta_log_predictive = gain.sum;
     finding.log_predictive_standard_error = gain.error;

@@ -150,8 +150,13 @@ TEST_P(EffectConformance, IsNotTestableOnARobotThatNeverMoves) {
   const PhysicsContext context(robot_, still, {robot_.X_WB});
   // Constant geometry and the instrument's scale need no motion, steps only an order.
   const std::string name = effect().Describe().name;
-  const std::set<std::string> needs_none = {
-      "axis_tilt", "base_frame", "tool_offset", "sensor_scale", "joint_step", "tool_step", "base_step"};
+  const std::set<std::string> needs_none = {"axis_tilt",
+                                            "base_frame",
+                                            "tool_offset",
+                                            "sensor_scale",
+                                            "joint_step",
+                                            "tool_step",
+                                            "base_step"};
   if (needs_none.count(name) > 0) return;
   for (const EffectRequest& request : effect().Candidates(context)) {
     EXPECT_NE(effect().NotTestable(context, request), "") << InstanceName(request);
