@@ -242,9 +242,9 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   // All good rows; the geometry alone by the same.
   const RowChoice choice = loop.Choice(true);
   const EvidenceRule searched_rule = outcome.rule;
-  outcome.fit = FitJointly(model, outcome.fit.state, choice, outcome.free, 2);
+  outcome.fit = FitJointly(model, outcome.fit.state, choice, outcome.free, kFarSteps);
   outcome.rule = loop.RuleAt(outcome.fit, outcome.free.size(), outcome.rule.names);
-  const JointRows before = FitJointly(model, model.Start(), choice, outcome.free, 4);
+  const JointRows before = FitJointly(model, model.Start(), choice, outcome.free, kFarSteps);
   const UnseenRows unseen_before(model, before, choice, loop.GoodReadings(true));
   const UnseenRows unseen(model, outcome.fit, choice, loop.GoodReadings(true));
   d.rms_train_before = unseen_before.FittedRms({});

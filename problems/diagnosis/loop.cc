@@ -241,7 +241,7 @@ LoopOutcome Loop::Run() {
   };
   say("a robust first model");
   RobustStart();
-  JointRows joint = FitJointly(model_, model_.Start(), Choice(), all, 4);
+  JointRows joint = FitJointly(model_, model_.Start(), Choice(), all, kFarSteps);
   const auto taken_up = [&](const Found& found, const JointState& from) {
     JointState state = from;
     std::vector<Member> given;

@@ -172,7 +172,7 @@ bool Loop::UpdateCorrelation(const JointRows& joint) {
 void Loop::RobustStart() {
   JointState state = model_.Start();
   const std::vector<int> all = model_.AllUnknowns();
-  JointRows joint = FitJointly(model_, state, Choice(), all, 4);
+  JointRows joint = FitJointly(model_, state, Choice(), all, kFarSteps);
   // Weights by the residuals, then one more step with them.
   const auto reweigh = [&] {
     const int m = joint.rows->coordinates();

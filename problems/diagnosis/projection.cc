@@ -1,8 +1,8 @@
 #include "problems/diagnosis/projection.h"
 
 #include <algorithm>
-#include <vector>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>

@@ -12,6 +12,10 @@
 
 namespace dhcal {
 
+/// Steps of a fit that may start far from its end: with a large misfit priors hold back at first.
+/// It ends when it settles.
+constexpr int kFarSteps = 12;
+
 /// Fits from `start`; the result is the best state seen, linearised.
 JointRows FitJointly(const JointModel& model,
                      const JointState& start,
