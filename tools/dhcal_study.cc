@@ -29,7 +29,7 @@ struct Score {
   double p_geometry = 1;
   DiagnosisVerdict verdict = DiagnosisVerdict::kConsistent;
   bool detected = false;
-  bool truth_kept = false;    // the true set is in the confidence set
+  bool truth_kept = false;    // the true set is among those that are not told apart
   bool named = false;         // alone, or with its own class only
   bool joints_right = false;  // all true places found
   bool extra = false;         // a finding that is not there

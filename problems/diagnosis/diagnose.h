@@ -17,7 +17,7 @@ namespace dhcal {
 /// unless the corrections found are beyond what manufacture explains, or the fit failed.
 bool WantsDiagnosis(const ProblemSpec& spec, const Result& identified);
 
-/// Complete geometry, score tests, confidence set, refit, validation (PHYSICS.md M2). The
+/// Rows, model, noise and names decided in rounds, then judged (PHYSICS.md M2). The
 /// inputs have been checked; `identified` is the fit that the problem file asks for.
 DiagnosisResult Diagnose(const ProblemSpec& spec,
                          const Recording& recording,

@@ -3,8 +3,10 @@
 #include <cstdlib>
 
 #include <glog/logging.h>
+#include <gtest/gtest.h>
 
 #include "problems/diagnosis/diagnose.h"
+#include "problems/diagnosis/judge/invariants.h"
 #include "problems/formats/problem/problem_reader.h"
 #include "problems/formats/recording/recording_reader.h"
 #include "problems/identify.h"
@@ -54,7 +56,10 @@ Result RunCase(const ProblemSpec& spec) {
 }
 
 DiagnosisResult Diagnosed(const ProblemSpec& spec, const Recording& recording) {
-  return Diagnose(spec, recording, IdentifyGeometry(spec, recording, {}), {});
+  const DiagnosisResult d = Diagnose(spec, recording, IdentifyGeometry(spec, recording, {}), {});
+  // No report that any test makes may contradict itself.
+  for (const std::string& wrong : Contradictions(d)) ADD_FAILURE() << wrong;
+  return d;
 }
 
 std::map<std::string, ParameterResult> ByName(const FitResult& fit) {

@@ -147,7 +147,8 @@ std::vector<int> UnseenRows::Kept(const std::vector<int>& dropped) const {
       const std::size_t masses = mass_idx_.size();
       std::fill(out.end() - static_cast<std::ptrdiff_t>(masses), out.end(), true);
     }
-    for (int k = 0; k < size_[at]; ++k) out[static_cast<std::size_t>(first_[at] + k)] = true;
+    for (int k = 0; k < size_[at]; ++k)
+      out[static_cast<std::size_t>(first_[at]) + static_cast<std::size_t>(k)] = true;
   }
   std::vector<int> kept;
   for (std::size_t k = 0; k < out.size(); ++k) {
