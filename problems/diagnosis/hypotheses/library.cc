@@ -256,7 +256,8 @@ std::vector<Item> NamedItems(const PhysicsContext& c, const LibraryOptions& opti
       });
       if (active || !effect->NotTestable(c, request).empty()) continue;
       // Guessed masses have no shape fine enough for the sign or the cube of a torque.
-      const bool fine = description.name == "torsion_nonlinearity" || request.setting("flank", 0);
+      const bool fine =
+          description.name == "torsion_nonlinearity" || request.setting("flank", 0) != 0;
       if (!options.masses_given && fine && request.setting("measured_torque", 0) == 0) continue;
       forms.push_back(request);
       ++count[IdOf(request)];
