@@ -18,6 +18,22 @@ EffectColumn SlotColumn(
   return column;
 }
 
+std::vector<EffectColumn> FrameColumns(int first_slot,
+                                       int components,
+                                       double typical,
+                                       const Eigen::VectorXd& weight,
+                                       const std::string& suffix) {
+  std::vector<EffectColumn> columns;
+  for (int k = 0; k < components; ++k) {
+    columns.push_back(SlotColumn(SlotLayout::ComponentName(k) + suffix,
+                                 k < 3 ? "m" : "rad",
+                                 typical,
+                                 first_slot + k,
+                                 weight));
+  }
+  return columns;
+}
+
 EffectColumn TwistColumn(const PhysicsContext& context,
                          std::string parameter,
                          std::string unit,
@@ -89,6 +105,20 @@ std::string Quantity(const EffectValue& value, double unit_size, const std::stri
     decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 6);
   }
   return fmt::format("{:.{}f} +- {:.{}f} {}", shown, decimals, sigma, decimals, unit);
+}
+
+std::string ComponentsInWords(const std::vector<EffectValue>& values,
+                              int components,
+                              const std::string& unit_of_lengths) {
+  std::string text;
+  for (int k = 0; k < components; ++k) {
+    const std::string name = SlotLayout::ComponentName(k);
+    text += fmt::format("{}{} {}",
+                        k > 0 ? ", " : "",
+                        name,
+                        Quantity(Find(values, name), 1e-3, k < 3 ? unit_of_lengths : "mrad"));
+  }
+  return text;
 }
 
 EffectValue Find(const std::vector<EffectValue>& values, const std::string& parameter) {

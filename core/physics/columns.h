@@ -14,6 +14,14 @@ namespace dhcal {
 EffectColumn SlotColumn(
     std::string parameter, std::string unit, double typical, int slot, Eigen::VectorXd weight);
 
+/// One parameter per component of a frame, with the same weight: x, y, z [m], and up to 6
+/// `components` rx, ry, rz [rad]. `first_slot`: of the frame; `suffix`: of the parameters' names.
+std::vector<EffectColumn> FrameColumns(int first_slot,
+                                       int components,
+                                       double typical,
+                                       const Eigen::VectorXd& weight,
+                                       const std::string& suffix = "");
+
 /// A parameter that twists all that lies beyond a place (as base slots, core/NOTATION.md).
 EffectColumn TwistColumn(const PhysicsContext& context,
                          std::string parameter,
@@ -46,6 +54,11 @@ std::string CheckJoint(const PhysicsContext& context, const EffectRequest& reque
 
 /// "1.13 +- 0.05 urad per N m": two digits of sigma, in the unit whose size is `unit_size`.
 std::string Quantity(const EffectValue& value, double unit_size, const std::string& unit);
+
+/// "x 1.0 +- 0.1 mm, y ...": the first `components` of a frame, turns in mrad.
+std::string ComponentsInWords(const std::vector<EffectValue>& values,
+                              int components,
+                              const std::string& unit_of_lengths = "mm");
 
 /// The value of a parameter of the list; zeros when it is missing.
 EffectValue Find(const std::vector<EffectValue>& values, const std::string& parameter);

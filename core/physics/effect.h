@@ -10,7 +10,6 @@
 #ifndef DHCAL_CORE_PHYSICS_EFFECT_H_
 #define DHCAL_CORE_PHYSICS_EFFECT_H_
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,18 +90,6 @@ class Effect {
   /// The effect's parameters; only where it is testable.
   virtual std::vector<EffectColumn> Columns(const PhysicsContext& context,
                                             const EffectRequest& request) const = 0;
-  /// Ways in which the first column's shape may be wrong (masses known to 30 %, say), as columns
-  /// of one standard deviation per unit of the first parameter. Empty = the shape is sure.
-  virtual std::vector<EffectColumn> ShapeErrors(const PhysicsContext& /*context*/,
-                                                const EffectRequest& /*request*/) const {
-    return {};
-  }
-  /// The same effect without the numbers that its shape rests on (masses): more parameters, for a
-  /// fit that the stated numbers do not bring down to the noise. Nothing where there is no such.
-  virtual std::optional<EffectRequest> WithFreeShape(const PhysicsContext& /*context*/,
-                                                     const EffectRequest& /*request*/) const {
-    return std::nullopt;
-  }
   /// The instances that a diagnosis tries, settings included.
   virtual std::vector<EffectRequest> Candidates(const PhysicsContext& context) const = 0;
   virtual EffectPlace Place(const PhysicsContext& context, const EffectRequest& request) const = 0;

@@ -30,16 +30,11 @@ std::string FrameEffect::NotTestable(const PhysicsContext& /*context*/,
 
 std::vector<EffectColumn> FrameEffect::Columns(const PhysicsContext& context,
                                                const EffectRequest& /*request*/) const {
-  std::vector<EffectColumn> columns;
-  for (int k = 0; k < SlotLayout::kPerFrame; ++k) {
-    const int slot = frame_ == "base" ? context.slots().base(k) : context.slots().tool(k);
-    columns.push_back(SlotColumn(SlotLayout::ComponentName(k),
-                                 k < 3 ? "m" : "rad",
-                                 1e-3,
-                                 slot,
-                                 Eigen::VectorXd::Ones(context.num_rows())));
-  }
-  return columns;
+  const SlotLayout& slots = context.slots();
+  return FrameColumns(frame_ == "base" ? slots.base(0) : slots.tool(0),
+                      SlotLayout::kPerFrame,
+                      1e-3,
+                      Eigen::VectorXd::Ones(context.num_rows()));
 }
 
 std::vector<EffectRequest> FrameEffect::Candidates(const PhysicsContext& /*context*/) const {

@@ -11,10 +11,6 @@
 namespace dhcal {
 namespace {
 
-constexpr double kMassError = 0.3;     // of the nominal mass
-constexpr double kCentreError = 0.05;  // [m]
-constexpr double kPayloadError = 2.0;  // [kg]
-// Usual mass [kg] and moment [kg m] of links 1 to 3, and of the wrist's.
 constexpr double kTypicalMass = 20.0, kTypicalMoment = 10.0;
 constexpr double kTypicalWristMass = 4.0, kTypicalWristMoment = 0.5;
 constexpr double kSmallestTorque = 1.0;  // [N m] spread that counts as a load, of 10 kg links
@@ -150,30 +146,6 @@ std::vector<MassCase> FreeMassCases(const PhysicsContext& context, int joint) {
     cases.insert(cases.begin(), carried);
   }
   return cases;
-}
-
-std::vector<MassCase> MassErrors(const PhysicsContext& context) {
-  std::vector<MassCase> errors;
-  if (context.robot().links.empty()) return errors;
-  const int n = context.num_joints();
-  for (int body = 0; body < n; ++body) {
-    const LinkMass& link = context.robot().links[static_cast<std::size_t>(body)];
-    if (link.mass == 0) continue;
-    MassCase mass = Empty(context);
-    mass.mass[body] = kMassError * link.mass;
-    mass.moment.col(body) = kMassError * link.mass * link.p_LC;
-    errors.push_back(mass);
-    for (int axis = 0; axis < 3; ++axis) {
-      MassCase centre = Empty(context);
-      centre.moment(axis, body) = kCentreError * link.mass;
-      errors.push_back(centre);
-    }
-  }
-  MassCase payload = Empty(context);
-  payload.mass[n] = kPayloadError;
-  payload.moment.col(n) = kPayloadError * context.robot().payload.p_LC;
-  errors.push_back(payload);
-  return errors;
 }
 
 bool HasMeasuredTorque(const PhysicsContext& context, int joint) {

@@ -50,10 +50,6 @@ std::vector<MassCase> MassCases(const PhysicsContext& context, int joint);
 /// The minimal cases, whether masses are given or not.
 std::vector<MassCase> FreeMassCases(const PhysicsContext& context, int joint);
 
-/// How far nominal masses may be off, as cases of one standard deviation each: every mass by 30 %,
-/// every centre by 50 mm, the payload by 2 kg.
-std::vector<MassCase> MassErrors(const PhysicsContext& context);
-
 /// The load on a joint from the recording's torque columns [N m], in DH's sense. A column holds the
 /// drive's torque (it opposes the load) or the load itself: the sign is the one that goes with
 /// gravity where gravity loads the joint, else the drive's.

@@ -55,14 +55,13 @@ std::vector<EffectColumn> RunFrameEffect::Columns(const PhysicsContext& c,
     for (int row = 0; row < c.num_rows(); ++row) {
       if (recording.run(row) == static_cast<int>(run)) in_run[row] = 1;
     }
-    for (int k = 0; k < (turns ? SlotLayout::kPerFrame : 3); ++k) {
-      columns.push_back(
-          SlotColumn(std::string(SlotLayout::ComponentName(k)) + "_" + recording.run_names[run],
-                     k < 3 ? "m" : "rad",
+    const std::vector<EffectColumn> own =
+        FrameColumns(is_base() ? c.slots().base(0) : c.slots().tool(0),
+                     turns ? SlotLayout::kPerFrame : 3,
                      kTypical,
-                     is_base() ? c.slots().base(k) : c.slots().tool(k),
-                     in_run));
-    }
+                     in_run,
+                     "_" + recording.run_names[run]);
+    columns.insert(columns.end(), own.begin(), own.end());
   }
   return columns;
 }

@@ -42,11 +42,16 @@ Eigen::VectorXd StepProfile(const PhysicsContext& c, const EffectRequest& reques
   return c.clock().unaryExpr([&](double t) { return t >= at ? 1.0 : 0.0; });
 }
 
-std::vector<EffectRequest> StepCandidates(const PhysicsContext& c,
-                                          const std::vector<EffectRequest>& requests) {
+std::vector<double> Instants(const PhysicsContext& c) {
   std::vector<double> times(c.clock().begin(), c.clock().end());
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+std::vector<EffectRequest> StepCandidates(const PhysicsContext& c,
+                                          const std::vector<EffectRequest>& requests) {
+  const std::vector<double> times = Instants(c);
   std::vector<EffectRequest> candidates;
   const auto count = static_cast<int>(times.size());
   for (const EffectRequest& request : requests) {

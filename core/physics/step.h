@@ -19,6 +19,9 @@ std::string StepNotTestable(const PhysicsContext& context, const EffectRequest& 
 /// 0 before the instant, 1 from it on.
 Eigen::VectorXd StepProfile(const PhysicsContext& context, const EffectRequest& request);
 
+/// All instants of the recording's clock, ascending, each once.
+std::vector<double> Instants(const PhysicsContext& context);
+
 /// Each request at a number of instants, evenly over the rows.
 std::vector<EffectRequest> StepCandidates(const PhysicsContext& context,
                                           const std::vector<EffectRequest>& requests);

@@ -253,6 +253,14 @@ Eigen::VectorXd DesignRows::Column(const std::vector<SlotWeights>& slots) const 
   return column;
 }
 
+Eigen::MatrixXd DesignRows::Columns(const std::vector<std::vector<SlotWeights>>& columns) const {
+  Eigen::MatrixXd whitened(num_rows(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    whitened.col(static_cast<Eigen::Index>(k)) = Column(columns[k]);
+  }
+  return whitened;
+}
+
 Eigen::MatrixXd DesignRows::Geometry(const std::vector<Parameter>& parameters) const {
   const auto num_parameters = static_cast<Eigen::Index>(parameters.size());
   Eigen::MatrixXd J(num_rows(), num_parameters);

@@ -70,6 +70,8 @@ class DesignRows {
 
   /// Whitened column of something that adds `weight` (per recording row) to slots.
   Eigen::VectorXd Column(const std::vector<SlotWeights>& slots) const;
+  /// The same of several; rows x columns.
+  Eigen::MatrixXd Columns(const std::vector<std::vector<SlotWeights>>& columns) const;
   /// Columns of the calibration's parameters (effects switched on included).
   Eigen::MatrixXd Geometry(const std::vector<Parameter>& parameters) const;
 

@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <memory>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "core/base/units.h"
 #include "core/physics/registry.h"
 #include "problems/diagnosis/complete_fit.h"
 #include "problems/diagnosis/completions.h"
 #include "problems/diagnosis/concealed_frame.h"
+#include "problems/diagnosis/judge/certainty.h"
 #include "problems/diagnosis/judge/conclude.h"
 #include "problems/diagnosis/judge/describe.h"
 #include "problems/diagnosis/judge/hidden.h"
@@ -130,25 +128,23 @@ void TakeBack(const JointModel& model, const Loop& loop, LoopOutcome* outcome, D
 /// `fit`: the rows of the bank.
 void AddUnexplained(const Bank& bank,
                     const JointRows& fit,
-                    const LoopOutcome& outcome,
+                    const EvidenceRule& rule,
                     const Structure& structure,
                     DiagnosisResult* d) {
   // The largest unnamed part: a cell of the model itself, else the strongest of what is left.
-  int item = structure.item;
+  const Item* item =
+      structure.item < 0 ? nullptr : &bank.items()[static_cast<std::size_t>(structure.item)];
   double largest = 0;
-  for (std::size_t m = 0; m < fit.state.members.size(); ++m) {
-    const Member& member = fit.state.members[m];
-    if (member.item.kind != ItemKind::kCell) continue;
-    const double moved =
-        (fit.X.middleCols(fit.FirstColumn(m), member.item.size) * member.value).norm();
+  for (const int m : CellMembers(fit.state.members)) {
+    const Member& member = fit.state.members[static_cast<std::size_t>(m)];
+    const int first = fit.FirstColumn(static_cast<std::size_t>(m));
+    const double moved = (fit.X.middleCols(first, member.item.size) * member.value).norm();
     if (moved <= largest) continue;
     largest = moved;
-    for (const int k : bank.members()) {
-      if (bank.items()[static_cast<std::size_t>(k)].SameAs(member.item)) item = k;
-    }
+    item = &member.item;
   }
-  if (item < 0) return;
-  d->unexplained = DescribeRest(bank, fit, item, std::sqrt(RowVariance(fit, outcome.rule)));
+  if (item == nullptr) return;
+  d->unexplained = DescribeRest(*item, fit, structure.rest, std::sqrt(RowVariance(fit, rule)));
   const auto rows = static_cast<double>(fit.y().size());
   const double sigma = d->misfit.noise_sigma;
   const double unnamed = sigma * sigma * std::max(structure.gain, largest * largest) / rows;
@@ -166,6 +162,83 @@ void AddHypotheses(const LoopOutcome& outcome, DiagnosisResult* d) {
     result.kept = true;
     d->hypotheses.push_back(result);
   }
+}
+
+/// What the loop starts from. Frames that the file's own parameters imitate are found, and named,
+/// before it.
+LoopInputs InputsOf(const ProblemSpec& spec,
+                    const Result& identified,
+                    const JointModel& model,
+                    bool averaged,
+                    const Progress& progress,
+                    DiagnosisResult* d) {
+  const Calibration& c = model.calibration();
+  const Recording& recording = c.recording;
+  const Calibration file(spec, recording);
+  LoopInputs inputs;
+  inputs.model = &model;
+  inputs.names = spec.diagnosis.effects;
+  inputs.false_alarm = kShareOfNames * spec.diagnosis.false_alarm;
+  inputs.readings_per_pose = ReadingsPerPose(c);
+  inputs.sigma_known = SourceOfNoise(c).all_given() && !averaged && inputs.readings_per_pose == 1;
+  inputs.quanta = ReadOutQuanta(recording, spec.robot);
+  inputs.noise = InitialNoise(c);
+  inputs.file_unknowns = FileUnknowns(file, c);
+  std::vector<Completion> missing = MissingCompletions(file, c);
+  if (missing.empty()) return inputs;
+  const auto complete = FitComplete(spec, recording, {}, nullptr, progress);
+  if (complete->usable()) AddConcealedFrames(spec, recording, identified, *complete, missing, d);
+  // What is concealed, and named already, belongs to the geometry from here on.
+  const auto named =
+      std::stable_partition(missing.begin(), missing.end(), [&](const Completion& completion) {
+        return std::none_of(d->findings.begin(), d->findings.end(), [&](const Finding& finding) {
+          return completion.request.SameAs(finding.effect);
+        });
+      });
+  inputs.file_unknowns =
+      WithUnknowns(inputs.file_unknowns, CompletionItems({named, missing.end()}, c));
+  inputs.completions = CompletionItems({missing.begin(), named}, c);
+  return inputs;
+}
+
+/// What is said of the rows before anything is said of physics.
+void AddNotesOnRows(const Loop& loop, const LoopOutcome& outcome, DiagnosisResult* d) {
+  if (outcome.correlation > 0) {
+    d->notes.push_back(fmt::format(
+        "What is left of neighbouring readings correlates ({:.2f}); it was taken out as serial "
+        "noise, so that slow noise is not taken for a drift or a step.",
+        outcome.correlation));
+  }
+  const std::size_t good = loop.GoodReadings(false).size();
+  if (good > static_cast<std::size_t>(kTuning.most_searched)) {
+    d->notes.push_back(fmt::format(
+        "{} of {} rows were searched, evenly over the recording; the last fit uses all.",
+        loop.Choice().readings.size(),
+        good));
+  }
+}
+
+/// `before`: the geometry alone, of the `num_readings` that the outcome was fitted to.
+void DescribeMisfit(const JointRows& before,
+                    std::size_t num_readings,
+                    const LoopInputs& inputs,
+                    const LoopOutcome& outcome,
+                    const DistinctRows& distinct,
+                    DiagnosisResult* d) {
+  Misfit& misfit = d->misfit;
+  misfit.noise_known = inputs.sigma_known;
+  misfit.noise_sigma = outcome.noise.sigma;
+  misfit.rows = static_cast<int>(num_readings);
+  misfit.statistic = before.y().squaredNorm();
+  misfit.dof = std::max<double>(
+      1, before.rows->degrees_of_freedom() - static_cast<double>(before.free.size()));
+  misfit.rms = d->rms_train_before;
+  for (const int row : outcome.off) {
+    const std::vector<int>& original = distinct.original[static_cast<std::size_t>(row)];
+    misfit.outlier_rows.insert(misfit.outlier_rows.end(), original.begin(), original.end());
+  }
+  std::sort(misfit.outlier_rows.begin(), misfit.outlier_rows.end());
+  misfit.outliers = static_cast<int>(misfit.outlier_rows.size());
 }
 
 }  // namespace
@@ -189,56 +262,14 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
                     recording.num_rows()));
   }
   const JointModel model(spec, recording);
-  const Calibration& c = model.calibration();
-  const Calibration file(spec, recording);
-
-  LoopInputs inputs;
-  inputs.model = &model;
-  inputs.names = spec.diagnosis.effects;
-  inputs.false_alarm = kShareOfNames * spec.diagnosis.false_alarm;
-  inputs.readings_per_pose = ReadingsPerPose(c);
-  inputs.sigma_known =
-      SourceOfNoise(c).all_given() && !distinct.averaged && inputs.readings_per_pose == 1;
-  inputs.quanta = ReadOutQuanta(recording, spec.robot);
-  inputs.noise = InitialNoise(c);
-  inputs.file_unknowns = FileUnknowns(file, c);
+  LoopInputs inputs = InputsOf(spec, identified, model, distinct.averaged, progress, &d);
   inputs.say = say;
-  std::vector<Completion> missing = MissingCompletions(file, c);
-  if (!missing.empty()) {
-    const auto complete = FitComplete(spec, recording, {}, nullptr, progress);
-    if (complete->usable()) {
-      AddConcealedFrames(spec, recording, identified, *complete, missing, &d);
-    }
-    // What is concealed, and named already, belongs to the geometry from here on.
-    for (const Finding& finding : d.findings) {
-      for (std::size_t k = 0; k < missing.size(); ++k) {
-        if (!missing[k].request.SameAs(finding.effect)) continue;
-        const std::vector<Item> own = CompletionItems({missing[k]}, c);
-        inputs.file_unknowns = WithUnknowns(inputs.file_unknowns, own);
-        missing.erase(missing.begin() + static_cast<long>(k));
-        break;
-      }
-    }
-  }
-  inputs.completions = CompletionItems(missing, c);
   Loop loop(inputs);
   LoopOutcome outcome = loop.Run();
   say("what unseen rows say");
   TakeBack(model, loop, &outcome, &d);
+  AddNotesOnRows(loop, outcome, &d);
 
-  if (outcome.correlation > 0) {
-    d.notes.push_back(fmt::format(
-        "What is left of neighbouring readings correlates ({:.2f}); it was taken out as serial "
-        "noise, so that slow noise is not taken for a drift or a step.",
-        outcome.correlation));
-  }
-  const std::size_t good = loop.GoodReadings(false).size();
-  if (good > static_cast<std::size_t>(kTuning.most_searched)) {
-    d.notes.push_back(fmt::format(
-        "{} of {} rows were searched, evenly over the recording; the last fit uses all.",
-        loop.Choice().readings.size(),
-        good));
-  }
   // All good rows; the geometry alone by the same.
   const RowChoice choice = loop.Choice(true);
   const EvidenceRule searched_rule = outcome.rule;
@@ -254,74 +285,50 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   d.rms_test_before = unseen_before.UnseenRms({});
   d.rms_test_after = unseen.UnseenRms(cells);
   d.validation_method = unseen.method();
-
-  Misfit& misfit = d.misfit;
-  misfit.noise_known = inputs.sigma_known;
-  misfit.noise_sigma = outcome.noise.sigma;
-  misfit.rows = static_cast<int>(choice.readings.size());
-  misfit.statistic = before.y().squaredNorm();
-  misfit.dof = std::max<double>(
-      1, before.rows->degrees_of_freedom() - static_cast<double>(before.free.size()));
-  misfit.rms = d.rms_train_before;
-  for (const int row : outcome.off) {
-    for (const int original : distinct.original[static_cast<std::size_t>(row)]) {
-      misfit.outlier_rows.push_back(original);
-    }
-  }
-  std::sort(misfit.outlier_rows.begin(), misfit.outlier_rows.end());
-  misfit.outliers = static_cast<int>(misfit.outlier_rows.size());
+  DescribeMisfit(before, choice.readings.size(), inputs, outcome, distinct, &d);
 
   const JointRows searched_before = model.At(before.state, loop.Choice(), outcome.free);
   const JointRows searched = model.At(outcome.fit.state, loop.Choice(), outcome.free);
   const Bank bank_before(model, searched_before, loop.Items(before, true), outcome.free);
-  const Structure first = StrongestStructure(bank_before, searched_rule, misfit.noise_sigma);
+  const Structure first = StrongestStructure(bank_before, searched_rule, d.misfit.noise_sigma);
   const Bank bank(model, searched, loop.Items(outcome.fit, true), outcome.free);
-  const Structure last = StrongestStructure(bank, searched_rule, misfit.noise_sigma);
+  const Structure last = StrongestStructure(bank, searched_rule, d.misfit.noise_sigma);
   // Of the geometry alone, by the strongest structure; names and structures share the rate.
-  misfit.p_value = std::min(1.0, std::exp(std::max(first.log_p, -690.0)) / (1 - kShareOfNames));
+  d.misfit.p_value = std::min(1.0, std::exp(std::max(first.log_p, -690.0)) / (1 - kShareOfNames));
   d.map = first.map;
 
   Judged judged;
   judged.rest = last.log_p < std::log((1 - kShareOfNames) * spec.diagnosis.false_alarm);
   const double variance = RobustVariance(outcome.fit.y(), outcome.fit.rows->coordinates());
   if (inputs.sigma_known && variance > kTuning.restless) judged.rest = true;
-  for (const Member& member : outcome.fit.state.members) {
-    judged.cells = judged.cells || member.item.kind == ItemKind::kCell;
-  }
+  judged.cells = !cells.empty();
   const std::vector<std::vector<int>> groups = FindingGroups(outcome.fit.state.members);
-  for (Finding& finding : DescribeCompletions(model, outcome)) {
+  const Certainties certainties =
+      CertaintiesOf(model, outcome.fit, outcome.completions, outcome.rule);
+  for (Finding& finding : DescribeCompletions(model, outcome, certainties)) {
     d.findings.push_back(std::move(finding));
   }
-  for (Finding& finding : DescribeMembers(model, outcome, unseen, groups)) {
+  for (Finding& finding : DescribeMembers(model, outcome, certainties, unseen, groups)) {
     d.findings.push_back(std::move(finding));
   }
   for (const Finding& finding : d.findings) {
     // A line of a gear is found by a scan, which is not among the structures above.
     if (finding.effect_class != "geometry") {
-      misfit.p_value = std::min(misfit.p_value, finding.p_value / kShareOfNames);
+      d.misfit.p_value = std::min(d.misfit.p_value, finding.p_value / kShareOfNames);
     }
   }
   AddConfusables(model, outcome, &d);
-  const VectorXd tied = TiedValues(model, outcome.fit);
-  for (std::size_t m = 0; m < outcome.fit.state.members.size(); ++m) {
-    const Member& member = outcome.fit.state.members[m];
-    if (member.given || member.item.kind != ItemKind::kEffect) continue;
-    const int own = outcome.fit.FirstColumn(m);
-    EffectRequest request = member.item.request;
-    const std::vector<EffectColumn> columns = EffectColumns(*outcome.fit.context, request);
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      request.values[columns[k].parameter] = tied[own + static_cast<Index>(k)];
-    }
-    d.model.push_back(std::move(request));
+  d.model = ModelOf(outcome, certainties);
+  if (!groups.empty()) {
+    d.moved = MovedByPhysics(model, outcome, certainties, before.state.geometry);
   }
-  if (!groups.empty()) d.moved = MovedByPhysics(model, outcome, before.state.geometry);
   GiveVerdict(judged, &d);
-  if (judged.rest || judged.cells) AddUnexplained(bank, searched, outcome, last, &d);
+  if (judged.rest || judged.cells) AddUnexplained(bank, searched, outcome.rule, last, &d);
   AddHypotheses(outcome, &d);
   const PhysicsContext context(spec.robot, recording, {spec.robot.X_WB});
   AddNotTestable(spec, context, &d);
   say("what is hidden");
-  AddHiddenRisks(model, searched, outcome, bank, &d);
+  AddHiddenRisks(model, searched, outcome.rule, last.rest, &d);
   d.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return d;
 }

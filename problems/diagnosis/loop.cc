@@ -103,12 +103,10 @@ JointRows Loop::WithInstantsMoved(JointRows joint) const {
   RowChoice all = Choice();
   all.readings = c.readings.fitted;
   const auto missed = [&](const JointState& state) {
-    const JointRows rows = model_.At(state, all, joint.free);
+    const VectorXd y = model_.ResidualsAt(state, all);
+    const int m = joint.rows->coordinates();
     double sum = 0;
-    for (int k = 0; k < rows.rows->num_readings(); ++k) {
-      const int m = rows.rows->coordinates();
-      sum += BoundedSquare(rows.y().segment(k * m, m).squaredNorm());
-    }
+    for (Index k = 0; k < y.size(); k += m) sum += BoundedSquare(y.segment(k, m).squaredNorm());
     return sum;
   };
   bool moved = false;
@@ -133,7 +131,7 @@ JointRows Loop::WithInstantsMoved(JointRows joint) const {
 Loop::Found Loop::SearchAt(const JointRows& joint,
                            const std::vector<int>& geometry,
                            const std::vector<Item>& completions,
-                           bool list) {
+                           bool list) const {
   std::vector<Item> items = Items(joint, false);
   items.insert(items.end(), completions.begin(), completions.end());
   std::set<std::string> names;
@@ -201,25 +199,21 @@ Loop::Found Loop::SearchAt(const JointRows& joint,
   };
   found.items = items_of(outcome.best);
   found.values = evaluator.Evaluate(outcome.best).values;
-  found.nothing_evidence = evaluator.Evaluate({}).evidence;
-  found.found_evidence = evaluator.Evaluate(now).evidence;
   if (list) {
     for (const ItemSet& set : NotToldApart(outcome, now, kTuning.list_margin, &evaluator)) {
       found.listed.push_back(items_of(set));
-      found.evidence.push_back(evaluator.Evaluate(set).evidence);
     }
   }
   return found;
 }
 
 JointRows Loop::Eliminate(JointState start,
-                          std::vector<Item>* completions,
                           const std::vector<int>& geometry,
-                          int names) {
+                          std::vector<Item>* completions) const {
   while (true) {
     const std::vector<int> free = WithUnknowns(geometry, *completions);
     JointRows joint = FitJointly(model_, start, Choice(), free, 3);
-    const EvidenceRule rule = RuleAt(joint, free.size(), names);
+    const EvidenceRule rule = RuleAt(joint, free.size(), names_);
     const Weakest weakest = WeakestOf(model_, joint, *completions, rule, in_.false_alarm);
     if (weakest.member < 0 && weakest.completion < 0) return joint;
     start = joint.state;
@@ -282,7 +276,7 @@ LoopOutcome Loop::Run() {
     joint = FitJointly(model_, joint.state, Choice(), all, 1);
   }
   std::vector<Item> completions;
-  joint = Eliminate(joint.state, &completions, all, names_);
+  joint = Eliminate(joint.state, all, &completions);
   std::vector<int> geometry = all;
   if (!in_.completions.empty()) {
     say("with the geometry that the file frees");
@@ -298,15 +292,12 @@ LoopOutcome Loop::Run() {
     for (Index k = 0; k < state.geometry.size(); ++k) {
       if (kept.count(static_cast<int>(k)) == 0) state.geometry[k] = 0;
     }
-    joint = Eliminate(state, &completions, geometry, names_);
+    joint = Eliminate(state, geometry, &completions);
   }
   say("what else would do");
   const Found alternatives = SearchAt(joint, geometry, in_.completions, true);
   LoopOutcome outcome;
   outcome.listed = alternatives.listed;
-  outcome.listed_evidence = alternatives.evidence;
-  outcome.found_evidence = alternatives.found_evidence;
-  outcome.nothing_evidence = alternatives.nothing_evidence;
   outcome.free = WithUnknowns(geometry, completions);
   outcome.completions = std::move(completions);
   outcome.rule = RuleAt(joint, outcome.free.size(), names_);

@@ -41,8 +41,6 @@ struct LoopOutcome {
   std::set<int> off;       // recording rows set aside, test rows too
   EvidenceRule rule;
   std::vector<std::vector<Item>> listed;  // sets that are not told apart, the found one first
-  std::vector<double> listed_evidence;    // beside the best
-  double found_evidence = 0, nothing_evidence = 0;
 };
 
 /// One diagnosis' loop over its rows.
@@ -78,18 +76,15 @@ class Loop {
     std::vector<Item> items;
     std::vector<Eigen::VectorXd> values;
     std::vector<std::vector<Item>> listed;
-    std::vector<double> evidence;
-    double found_evidence = 0, nothing_evidence = 0;
     int names = 1;
   };
   Found SearchAt(const JointRows& joint,
                  const std::vector<int>& geometry,
                  const std::vector<Item>& completions,
-                 bool list);
+                 bool list) const;
   JointRows Eliminate(JointState start,
-                      std::vector<Item>* completions,
                       const std::vector<int>& geometry,
-                      int names);
+                      std::vector<Item>* completions) const;
 
   LoopInputs in_;
   const JointModel& model_;

@@ -46,4 +46,22 @@ Eigen::MatrixXd OrthonormalBasis(const Eigen::MatrixXd& J, double relative_cut) 
   return Basis(scaled, relative_cut, /*relative=*/true);
 }
 
+Eigen::VectorXd ColumnLengths(const Eigen::MatrixXd& B) {
+  Eigen::VectorXd lengths = B.colwise().norm().transpose();
+  for (double& length : lengths) length = length > 0 ? length : 1.0;
+  return lengths;
+}
+
+Eigen::MatrixXd ThinBasis(const Eigen::MatrixXd& B) {
+  const Eigen::MatrixXd scaled = B * ColumnLengths(B).cwiseInverse().asDiagonal();
+  return Eigen::HouseholderQR<Eigen::MatrixXd>(scaled).householderQ() *
+         Eigen::MatrixXd::Identity(B.rows(), B.cols());
+}
+
+Eigen::MatrixXd GramOf(const Eigen::MatrixXd& B) {
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(B.cols(), B.cols());
+  H.selfadjointView<Eigen::Lower>().rankUpdate(B.transpose());
+  return H.selfadjointView<Eigen::Lower>();
+}
+
 }  // namespace dhcal

@@ -11,6 +11,15 @@ namespace dhcal {
 /// up would make directions out of nothing (PHYSICS.md M1).
 Eigen::MatrixXd OrthonormalBasis(const Eigen::MatrixXd& J, double relative_cut = 1e-7);
 
+/// Orthonormal basis of all columns, as many as there are; priors' rows make them independent.
+Eigen::MatrixXd ThinBasis(const Eigen::MatrixXd& B);
+
+/// B'B.
+Eigen::MatrixXd GramOf(const Eigen::MatrixXd& B);
+
+/// Each column's length, to scale by; 1 where it is zero.
+Eigen::VectorXd ColumnLengths(const Eigen::MatrixXd& B);
+
 /// v without what lies in the basis.
 template <typename Derived>
 Eigen::MatrixXd ProjectOff(const Eigen::MatrixXd& U, const Eigen::MatrixBase<Derived>& v) {

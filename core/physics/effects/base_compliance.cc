@@ -48,21 +48,11 @@ class BaseComplianceEffect final : public Effect {
         const std::string name = std::string("compliance_") + (axis == 0 ? "x" : "y");
         columns.push_back(Column(c,
                                  mass_case,
-                                 axis == 0,
-                                 axis == 1,
+                                 axis,
                                  known ? name : name + "_x_" + mass_case.name,
                                  known ? "rad/(N m)" : "rad/(N m) " + mass_case.unit));
         columns.back().positive = known;
       }
-    }
-    return columns;
-  }
-
-  std::vector<EffectColumn> ShapeErrors(const PhysicsContext& c,
-                                        const EffectRequest& /*request*/) const override {
-    std::vector<EffectColumn> columns;
-    for (const MassCase& error : MassErrors(c)) {
-      columns.push_back(Column(c, error, true, true, "mass_error", "rad/(N m)"));
     }
     return columns;
   }
@@ -106,15 +96,13 @@ class BaseComplianceEffect final : public Effect {
  private:
   static EffectColumn Column(const PhysicsContext& c,
                              const MassCase& mass_case,
-                             bool about_x,
-                             bool about_y,
+                             int axis,
                              const std::string& name,
                              const std::string& unit) {
     return TwistColumn(c, name, unit, kTypicalCompliance * mass_case.typical, [&](int row) {
       const Load load = GravityLoad(c, mass_case, row, 0, Eigen::Vector3d::Zero());
       Twist twist;
-      if (about_x) twist.rotation.x() = load.moment.x();
-      if (about_y) twist.rotation.y() = load.moment.y();
+      twist.rotation[axis] = load.moment[axis];
       return twist;
     });
   }

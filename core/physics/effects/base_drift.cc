@@ -57,15 +57,9 @@ class BaseDriftEffect final : public Effect {
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     const bool clock = request.settings.count("time_constant_s") > 0;
-    std::string text = fmt::format("base or instrument moves{}: ", DriftWords(request));
-    for (int k = 0; k < 3; ++k) {
-      text += fmt::format(
-          "{}{} {}",
-          k > 0 ? ", " : "",
-          SlotLayout::ComponentName(k),
-          Quantity(Find(values, SlotLayout::ComponentName(k)), 1e-3, clock ? "mm" : "mm per K"));
-    }
-    return text;
+    return fmt::format("base or instrument moves{}: {}",
+                       DriftWords(request),
+                       ComponentsInWords(values, 3, clock ? "mm" : "mm per K"));
   }
   WorkedExample Example() const override {
     WorkedExample example;

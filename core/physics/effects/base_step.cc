@@ -6,8 +6,6 @@
 // Readings of one instrument do not say which of the two moved.
 // Typical: 0.05-0.5 mm. Source: PHYSICS.md T3. Found by scanning t0.
 // Worked number: x = 0.1 mm at 3600 s: 0 before, 0.1 mm from row 1 on.
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "core/kinematics/slots.h"
@@ -35,15 +33,7 @@ class BaseStepEffect final : public Effect {
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
-    std::vector<EffectColumn> columns;
-    for (int k = 0; k < SlotLayout::kPerFrame; ++k) {
-      columns.push_back(SlotColumn(SlotLayout::ComponentName(k),
-                                   k < 3 ? "m" : "rad",
-                                   1e-4,
-                                   c.slots().base(k),
-                                   StepProfile(c, request)));
-    }
-    return columns;
+    return FrameColumns(c.slots().base(0), SlotLayout::kPerFrame, 1e-4, StepProfile(c, request));
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
     EffectRequest request;
@@ -55,15 +45,9 @@ class BaseStepEffect final : public Effect {
   }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
-    std::string text = fmt::format("base or instrument jumps {}: ", StepWords(request));
-    for (int k = 0; k < SlotLayout::kPerFrame; ++k) {
-      text += fmt::format(
-          "{}{} {}",
-          k > 0 ? ", " : "",
-          SlotLayout::ComponentName(k),
-          Quantity(Find(values, SlotLayout::ComponentName(k)), 1e-3, k < 3 ? "mm" : "mrad"));
-    }
-    return text;
+    return fmt::format("base or instrument jumps {}: {}",
+                       StepWords(request),
+                       ComponentsInWords(values, SlotLayout::kPerFrame));
   }
   WorkedExample Example() const override {
     WorkedExample example;

@@ -77,28 +77,6 @@ class JointComplianceEffect final : public Effect {
     return columns;
   }
 
-  std::vector<EffectColumn> ShapeErrors(const PhysicsContext& c,
-                                        const EffectRequest& request) const override {
-    std::vector<EffectColumn> columns;
-    if (UsesMeasuredTorque(request) || FreesMasses(request)) return columns;
-    const int joint = JointIndex(request);
-    for (const MassCase& error : MassErrors(c)) {
-      columns.push_back(
-          Column(c, joint, "mass_error", "rad/(N m)", 1.0, GravityTorque(c, error, joint)));
-    }
-    return columns;
-  }
-
-  std::optional<EffectRequest> WithFreeShape(const PhysicsContext& c,
-                                             const EffectRequest& request) const override {
-    if (c.robot().links.empty() || UsesMeasuredTorque(request) || FreesMasses(request)) {
-      return std::nullopt;
-    }
-    EffectRequest freer = request;
-    freer.settings["free_masses"] = 1;
-    return freer;
-  }
-
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
     return WithVariant(*this, c, EveryJoint(c, "joint_compliance"), "measured_torque");
   }

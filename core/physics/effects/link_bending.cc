@@ -93,15 +93,6 @@ class LinkBendingEffect final : public Effect {
     return columns;
   }
 
-  std::vector<EffectColumn> ShapeErrors(const PhysicsContext& c,
-                                        const EffectRequest& request) const override {
-    std::vector<EffectColumn> columns;
-    for (const MassCase& error : MassErrors(c)) {
-      columns.push_back(Column(c, error, JointIndex(request), "mass_error", "1/(N m^2)"));
-    }
-    return columns;
-  }
-
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
     std::vector<EffectRequest> requests = EveryJoint(c, "link_bending");
     // The column (link 1) stands; what bends it tilts it, as base_compliance does.

@@ -5,8 +5,6 @@
 // Without orientations a slip sideways and a step of the last joint are the same.
 // Typical: 0.05-0.5 mm. Source: PHYSICS.md T3. Found by scanning t0.
 // Worked number: x = 0.1 mm at 3600 s: 0 before, 0.1 mm from row 1 on.
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "core/kinematics/slots.h"
@@ -34,12 +32,7 @@ class ToolStepEffect final : public Effect {
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
-    std::vector<EffectColumn> columns;
-    for (int k = 0; k < 3; ++k) {
-      columns.push_back(SlotColumn(
-          SlotLayout::ComponentName(k), "m", 1e-4, c.slots().tool(k), StepProfile(c, request)));
-    }
-    return columns;
+    return FrameColumns(c.slots().tool(0), 3, 1e-4, StepProfile(c, request));
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
     EffectRequest request;
@@ -51,14 +44,7 @@ class ToolStepEffect final : public Effect {
   }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
-    std::string text = fmt::format("the tool slips {}: ", StepWords(request));
-    for (int k = 0; k < 3; ++k) {
-      text += fmt::format("{}{} {}",
-                          k > 0 ? ", " : "",
-                          SlotLayout::ComponentName(k),
-                          Quantity(Find(values, SlotLayout::ComponentName(k)), 1e-3, "mm"));
-    }
-    return text;
+    return fmt::format("the tool slips {}: {}", StepWords(request), ComponentsInWords(values, 3));
   }
   WorkedExample Example() const override {
     WorkedExample example;

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 
 #include "core/base/parallel.h"
+#include "problems/diagnosis/projection.h"
 #include "problems/diagnosis/refit/joint_fit.h"
 
 namespace dhcal {
@@ -21,18 +21,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kBankVisible = 1e-7;
 constexpr double kBankRidge = 1e-9;
 constexpr std::size_t kMostBesideMembers = 40;
 constexpr std::size_t kMostBesideOthers = 15;
 constexpr std::size_t kMostLeftOut = 8;  // members that are left out in turn
-
-MatrixXd ThinQ(const MatrixXd& B) {
-  VectorXd lengths = B.colwise().norm().transpose();
-  for (double& length : lengths) length = length > 0 ? 1 / length : 1.0;
-  return Eigen::HouseholderQR<MatrixXd>(B * lengths.asDiagonal()).householderQ() *
-         MatrixXd::Identity(B.rows(), B.cols());
-}
 
 }  // namespace
 
@@ -96,7 +88,7 @@ void Bank::TakeOut(const JointModel& model, const std::vector<int>& geometry) {
   taken.value = joint_.value(given);
   taken.precision = joint_.precision(given);
   const Augmented augmented = AugmentedRows(model, taken, tied);
-  const MatrixXd Q = ThinQ(augmented.B);
+  const MatrixXd Q = ThinBasis(augmented.B);
   y_ = joint_.y();
   if (!own.empty()) y_ += joint_.X(Eigen::all, own) * VectorXd(value(own));
   const std::set<int> out(geometry.begin(), geometry.end());
@@ -117,12 +109,7 @@ MatrixXd Bank::Columns(const Item& item) const {
     if (!member.item.SameAs(item)) continue;
     return joint_.X.middleCols(joint_.FirstColumn(m), item.size);
   }
-  MatrixXd columns(y_.size(), item.size);
-  const SlotColumns slots = ColumnsOf(item, *joint_.context);
-  for (int k = 0; k < item.size; ++k) {
-    columns.col(k) = joint_.rows->Column(slots[static_cast<std::size_t>(k)]);
-  }
-  return columns;
+  return joint_.rows->Columns(ColumnsOf(item, *joint_.context));
 }
 
 void Bank::Add(Item item) {
@@ -199,18 +186,9 @@ VectorXd Bank::Gains(const std::vector<int>& active) const {
     if (std::find(active.begin(), active.end(), k) != active.end()) return;
     const int size = items_[i].size;
     const auto h = H.middleCols(first_[i], size);
-    const VectorXd scale = norm2_.segment(first_[i], size).cwiseSqrt().cwiseInverse();
-    MatrixXd block = scale.asDiagonal() * (blocks_[i] - h.transpose() * h) * scale.asDiagonal();
-    VectorXd right = scale.cwiseProduct(b.segment(first_[i], size));
-    for (int j = 0; j < size; ++j) {
-      if (block(j, j) > kBankVisible) continue;
-      block.row(j).setZero();
-      block.col(j).setZero();
-      block(j, j) = 1;
-      right[j] = 0;
-    }
-    block.diagonal().array() += kBankRidge;
-    gains[k] = std::max(0.0, right.dot(Eigen::LDLT<MatrixXd>(block).solve(right)));
+    gains[k] = SquaresRemoved(blocks_[i] - h.transpose() * h,
+                              b.segment(first_[i], size),
+                              norm2_.segment(first_[i], size));
   });
   return gains;
 }
@@ -222,7 +200,7 @@ Bank::Rest Bank::RestBeside(const std::vector<int>& active) const {
   if (active.empty()) return rest;
   const MatrixXd columns = C_(Eigen::all, ColumnsOfItems(active));
   const MatrixXd left = columns - Q_ * (Q_.transpose() * columns);
-  const MatrixXd extra = ThinQ(left);
+  const MatrixXd extra = ThinBasis(left);
   rest.basis.conservativeResize(Eigen::NoChange, Q_.cols() + extra.cols());
   rest.basis.rightCols(extra.cols()) = extra;
   rest.y -= extra * (extra.transpose() * rest.y);

@@ -77,18 +77,11 @@ std::vector<EffectRequest> AllPairs(const PhysicsContext& c, const std::string& 
   return pairs;
 }
 
-std::vector<double> TimesOf(const PhysicsContext& c) {
-  std::vector<double> times(c.clock().begin(), c.clock().end());
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
-}
-
 /// Instants between rows, evenly, and every one around those of `near`.
 std::vector<double> InstantsTried(const PhysicsContext& c,
                                   int count,
                                   const std::vector<double>& near) {
-  const std::vector<double> times = TimesOf(c);
+  const std::vector<double> times = Instants(c);
   const auto num = static_cast<int>(times.size());
   std::set<int> at;
   for (int k = 1; k <= count; ++k) at.insert(k * num / (count + 1));
@@ -204,7 +197,7 @@ int VariantsOf(const EffectRequest& request, int same_id, int num_joints) {
 }  // namespace
 
 std::vector<double> InstantsAround(const PhysicsContext& c, double instant, int rows) {
-  const std::vector<double> times = TimesOf(c);
+  const std::vector<double> times = Instants(c);
   const auto middle = static_cast<int>(
       std::lower_bound(times.begin(), times.end(), instant - 1e-9) - times.begin());
   std::vector<double> instants;

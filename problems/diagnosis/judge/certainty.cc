@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/Eigenvalues>
 
@@ -67,40 +68,41 @@ double RowVariance(const JointRows& joint, const EvidenceRule& rule) {
   return rule.sigma_known ? std::max(variance, 1.0) : std::max(variance, 1e-12);
 }
 
-std::vector<Certainty> Certainties(const JointModel& model,
-                                   const JointRows& joint,
-                                   const std::vector<Item>& completions,
-                                   const EvidenceRule& rule) {
+Certainties CertaintiesOf(const JointModel& model,
+                          const JointRows& joint,
+                          const std::vector<Item>& completions,
+                          const EvidenceRule& rule) {
   // Where rows come several to a pose, the rule has fewer draws than there are rows.
   const double rows = std::max(2, joint.rows->degrees_of_freedom());
   const double together =
       std::max(1.0,
                (rows - std::min<double>(static_cast<double>(joint.free.size()), rows / 2)) /
                    std::max(rule.dof, 1.0));
-  const MatrixXd covariance = JointCovariance(model, joint) * RowVariance(joint, rule) * together;
-  std::vector<Certainty> certainties;
+  Certainties certainties;
+  certainties.covariance = JointCovariance(model, joint);
+  const MatrixXd covariance = certainties.covariance * RowVariance(joint, rule) * together;
   const auto judge = [&](const std::vector<int>& columns, const VectorXd& value) {
     Certainty c;
     c.value = value;
-    c.covariance = covariance(columns, columns);
-    c.sigma = c.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+    const MatrixXd own = covariance(columns, columns);
+    c.sigma = own.diagonal().cwiseMax(0.0).cwiseSqrt();
     int directions = 0;
-    const double square = WaldSquare(value, c.covariance, &directions);
+    const double square = WaldSquare(value, own, &directions);
     if (directions > 0) {
       c.log_p = rule.sigma_known
                     ? LogChiSquareTail(square, directions)
                     : LogFTail(square / directions, directions, std::max(rule.dof, 1.0));
     }
-    certainties.push_back(c);
+    return c;
   };
   const VectorXd tied = TiedValues(model, joint);
   const auto num_free = static_cast<int>(joint.free.size());
-  int first = num_free;
+  int first = 0;
   for (const Member& member : joint.state.members) {
-    std::vector<int> columns;
-    for (int k = 0; k < member.item.size; ++k) columns.push_back(first + k);
+    std::vector<int> columns(static_cast<std::size_t>(member.item.size));
+    std::iota(columns.begin(), columns.end(), num_free + first);
+    certainties.members.push_back(judge(columns, tied.segment(first, member.item.size)));
     first += member.item.size;
-    judge(columns, tied.segment(first - member.item.size - num_free, member.item.size));
   }
   for (const Item& item : completions) {
     std::vector<int> columns;
@@ -108,7 +110,7 @@ std::vector<Certainty> Certainties(const JointModel& model,
       columns.push_back(static_cast<int>(std::find(joint.free.begin(), joint.free.end(), unknown) -
                                          joint.free.begin()));
     }
-    judge(columns, joint.state.geometry(item.unknowns));
+    certainties.completions.push_back(judge(columns, joint.state.geometry(item.unknowns)));
   }
   return certainties;
 }
@@ -118,28 +120,29 @@ Weakest WeakestOf(const JointModel& model,
                   const std::vector<Item>& completions,
                   const EvidenceRule& rule,
                   double false_alarm) {
-  const std::vector<Certainty> certainties = Certainties(model, joint, completions, rule);
-  const auto members = static_cast<int>(joint.state.members.size());
+  const Certainties certainties = CertaintiesOf(model, joint, completions, rule);
   Weakest weakest;
   double worst = std::log(false_alarm);
-  for (std::size_t k = 0; k < certainties.size(); ++k) {
-    const auto at = static_cast<int>(k);
-    double log_p = certainties[k].log_p;
-    if (at < members) {
-      const Member& member = joint.state.members[k];
-      if (member.given) continue;
-      log_p += std::log(static_cast<double>(rule.names) * member.item.variants);
-      if (HasImpossibleSign(member.item, member.value)) log_p = kWrongSign;
-      if (UsualSizes(member.item, member.value) > kTuning.largest_size) {
-        log_p = std::max(log_p, kWrongSize);
-      }
-    } else {
-      log_p += std::log(static_cast<double>(completions.size()) + 1);
+  for (std::size_t k = 0; k < certainties.members.size(); ++k) {
+    const Member& member = joint.state.members[k];
+    if (member.given) continue;
+    double log_p = certainties.members[k].log_p +
+                   std::log(static_cast<double>(rule.names) * member.item.variants);
+    if (HasImpossibleSign(member.item, member.value)) log_p = kWrongSign;
+    if (UsualSizes(member.item, member.value) > kTuning.largest_size) {
+      log_p = std::max(log_p, kWrongSize);
     }
     if (log_p <= worst) continue;
     worst = log_p;
-    weakest.member = at < members ? at : -1;
-    weakest.completion = at < members ? -1 : at - members;
+    weakest.member = static_cast<int>(k);
+  }
+  for (std::size_t k = 0; k < completions.size(); ++k) {
+    const double log_p =
+        certainties.completions[k].log_p + std::log(static_cast<double>(completions.size()) + 1);
+    if (log_p <= worst) continue;
+    worst = log_p;
+    weakest.member = -1;
+    weakest.completion = static_cast<int>(k);
   }
   return weakest;
 }

@@ -21,15 +21,19 @@ double RowVariance(const JointRows& joint, const EvidenceRule& rule);
 struct Certainty {
   double log_p = 0;  // alone, without the choice among names
   Eigen::VectorXd value, sigma;
-  Eigen::MatrixXd covariance;
 };
 
-/// Of each member, and of each completion after them, in the joint fit (Wald). `rule`.dof is the
-/// rows' freedom.
-std::vector<Certainty> Certainties(const JointModel& model,
-                                   const JointRows& joint,
-                                   const std::vector<Item>& completions,
-                                   const EvidenceRule& rule);
+/// Of a joint fit, by Wald's test.
+struct Certainties {
+  std::vector<Certainty> members, completions;
+  Eigen::MatrixXd covariance;  // of free geometry and members, for rows of unit variance
+};
+
+/// `rule`.dof is the rows' freedom.
+Certainties CertaintiesOf(const JointModel& model,
+                          const JointRows& joint,
+                          const std::vector<Item>& completions,
+                          const EvidenceRule& rule);
 
 /// The least sure member or completion that does not stand: its probability corrected for the
 /// choice exceeds `false_alarm`, its sign is impossible, or its size is. Both -1 where all stand.

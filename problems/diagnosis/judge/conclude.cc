@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -70,25 +71,15 @@ MatrixXd BasisBeside(const JointRows& fit, const MatrixXd& geometry, const Item&
   if (item.kind == ItemKind::kCompletion) {
     return OrthonormalBasis(ProjectOff(geometry, fit.A(Eigen::all, item.unknowns)), kSameThing);
   }
-  const SlotColumns slots = ColumnsOf(item, *fit.context);
-  MatrixXd columns(fit.y().size(), static_cast<Eigen::Index>(slots.size()));
-  for (std::size_t k = 0; k < slots.size(); ++k) {
-    columns.col(static_cast<Eigen::Index>(k)) = fit.rows->Column(slots[k]);
-  }
+  const MatrixXd columns = fit.rows->Columns(ColumnsOf(item, *fit.context));
   return OrthonormalBasis(ProjectOff(geometry, columns), kSameThing);
 }
 
-void AddAdvice(const JointModel& model,
+void AddAdvice(const Elsewhere& elsewhere,
                const LoopOutcome& outcome,
                const Member& member,
                const std::vector<Item>& others,
                Finding* finding) {
-  const JointRows& fit = outcome.fit;
-  const Elsewhere elsewhere(model.calibration(),
-                            fit.state.geometry,
-                            *fit.context,
-                            *fit.rows,
-                            model.calibration().parameters);
   Elsewhere::Split hardest;
   const Item* hardest_other = nullptr;
   for (const Item& other : others) {
@@ -164,13 +155,22 @@ void AddConfusables(const JointModel& model, const LoopOutcome& outcome, Diagnos
   for (const Item& item : outcome.completions) {
     add({item.id}, BasisBeside(fit, geometry, item), &d->findings[at++]);
   }
+  std::unique_ptr<const Elsewhere> elsewhere;  // only where there is advice to give
   for (const std::vector<int>& group : groups) {
     std::set<std::string> own;
     for (const int m : group) own.insert(fit.state.members[static_cast<std::size_t>(m)].item.id);
     const Member& first = fit.state.members[static_cast<std::size_t>(group.front())];
     Finding& finding = d->findings[at++];
     const std::vector<Item> others = add(own, BasisBeside(fit, geometry, first.item), &finding);
-    if (!others.empty()) AddAdvice(model, outcome, first, others, &finding);
+    if (others.empty()) continue;
+    if (elsewhere == nullptr) {
+      elsewhere = std::make_unique<const Elsewhere>(model.calibration(),
+                                                    fit.state.geometry,
+                                                    *fit.context,
+                                                    *fit.rows,
+                                                    model.calibration().parameters);
+    }
+    AddAdvice(*elsewhere, outcome, first, others, &finding);
   }
 }
 

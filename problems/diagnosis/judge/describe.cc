@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/math/statistics.h"
 #include "core/physics/registry.h"
-#include "problems/diagnosis/refit/joint_fit.h"
 #include "problems/diagnosis/spectrum.h"
 #include "problems/diagnosis/tuning.h"
 
@@ -102,12 +102,11 @@ std::vector<std::vector<int>> FindingGroups(const std::vector<Member>& members) 
 
 std::vector<Finding> DescribeMembers(const JointModel& model,
                                      const LoopOutcome& outcome,
+                                     const Certainties& certainties,
                                      const UnseenRows& unseen,
                                      const std::vector<std::vector<int>>& groups) {
   const JointRows& fit = outcome.fit;
   const PhysicsContext& context = *fit.context;
-  const std::vector<Certainty> certainties =
-      Certainties(model, fit, outcome.completions, outcome.rule);
   const double quantile = Quantile95(outcome.rule);
   const double variance = RowVariance(fit, outcome.rule);
   const double rss = fit.y().squaredNorm() / variance;
@@ -120,7 +119,7 @@ std::vector<Finding> DescribeMembers(const JointModel& model,
     for (const int m : group) {
       const auto at = static_cast<std::size_t>(m);
       const Member& member = fit.state.members[at];
-      const Certainty& certainty = certainties[at];
+      const Certainty& certainty = certainties.members[at];
       const EffectRequest& request = member.item.request;
       const Effect& effect = *FindEffect(request.effect);
       // A curve speaks for the lines beside it.
@@ -186,16 +185,16 @@ std::vector<Finding> DescribeMembers(const JointModel& model,
   return findings;
 }
 
-std::vector<Finding> DescribeCompletions(const JointModel& model, const LoopOutcome& outcome) {
+std::vector<Finding> DescribeCompletions(const JointModel& model,
+                                         const LoopOutcome& outcome,
+                                         const Certainties& certainties) {
   const JointRows& fit = outcome.fit;
-  const std::vector<Certainty> certainties =
-      Certainties(model, fit, outcome.completions, outcome.rule);
   const std::vector<Parameter>& parameters = model.calibration().parameters;
   const double quantile = Quantile95(outcome.rule);
   std::vector<Finding> findings;
   for (std::size_t k = 0; k < outcome.completions.size(); ++k) {
     const Item& item = outcome.completions[k];
-    const Certainty& certainty = certainties[fit.state.members.size() + k];
+    const Certainty& certainty = certainties.completions[k];
     const Effect& effect = *FindEffect(item.request.effect);
     const std::vector<EffectColumn> columns = effect.Columns(*fit.context, item.request);
     Finding finding;
@@ -234,11 +233,27 @@ std::vector<Finding> DescribeCompletions(const JointModel& model, const LoopOutc
   return findings;
 }
 
+std::vector<EffectRequest> ModelOf(const LoopOutcome& outcome, const Certainties& certainties) {
+  std::vector<EffectRequest> effects;
+  for (std::size_t m = 0; m < outcome.fit.state.members.size(); ++m) {
+    const Member& member = outcome.fit.state.members[m];
+    if (member.given || member.item.kind != ItemKind::kEffect) continue;
+    EffectRequest request = member.item.request;
+    const std::vector<EffectColumn> columns = EffectColumns(*outcome.fit.context, request);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      request.values[columns[k].parameter] = certainties.members[m].value[static_cast<Index>(k)];
+    }
+    effects.push_back(std::move(request));
+  }
+  return effects;
+}
+
 std::vector<MovedParameter> MovedByPhysics(const JointModel& model,
                                            const LoopOutcome& outcome,
+                                           const Certainties& certainties,
                                            const VectorXd& before) {
   const JointRows& fit = outcome.fit;
-  const MatrixXd covariance = JointCovariance(model, fit) * RowVariance(fit, outcome.rule);
+  const MatrixXd covariance = certainties.covariance * RowVariance(fit, outcome.rule);
   std::vector<MovedParameter> moved;
   for (std::size_t k = 0; k < fit.free.size(); ++k) {
     const int unknown = fit.free[k];

@@ -20,13 +20,19 @@ std::vector<int> CellMembers(const std::vector<Member>& members);
 /// joint's own angle. Cells and effects of the problem file make none.
 std::vector<std::vector<int>> FindingGroups(const std::vector<Member>& members);
 
-/// The finding of each group, in their order.
+/// The finding of each group, in their order. `certainties`: of the outcome's fit.
 std::vector<Finding> DescribeMembers(const JointModel& model,
                                      const LoopOutcome& outcome,
+                                     const Certainties& certainties,
                                      const UnseenRows& unseen,
                                      const std::vector<std::vector<int>>& groups);
 
-std::vector<Finding> DescribeCompletions(const JointModel& model, const LoopOutcome& outcome);
+std::vector<Finding> DescribeCompletions(const JointModel& model,
+                                         const LoopOutcome& outcome,
+                                         const Certainties& certainties);
+
+/// The named members with their values: what a fit of other rows can hold.
+std::vector<EffectRequest> ModelOf(const LoopOutcome& outcome, const Certainties& certainties);
 
 /// What an item that competes with a finding is called.
 EffectRequest NameOf(const Item& item);
@@ -34,6 +40,7 @@ EffectRequest NameOf(const Item& item);
 /// Geometric unknowns that the physics moved by more than their uncertainty, largest first.
 std::vector<MovedParameter> MovedByPhysics(const JointModel& model,
                                            const LoopOutcome& outcome,
+                                           const Certainties& certainties,
                                            const Eigen::VectorXd& before);
 
 }  // namespace dhcal

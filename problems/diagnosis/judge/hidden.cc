@@ -43,10 +43,9 @@ void AddNotTestable(const ProblemSpec& spec, const PhysicsContext& context, Diag
 
 void AddHiddenRisks(const JointModel& model,
                     const JointRows& fit,
-                    const LoopOutcome& outcome,
-                    const Bank& bank,
+                    const EvidenceRule& rule,
+                    const Bank::Rest& rest,
                     DiagnosisResult* d) {
-  const Bank::Rest rest = bank.RestBeside(bank.members());
   const Elsewhere elsewhere(model.calibration(),
                             fit.state.geometry,
                             *fit.context,
@@ -61,7 +60,7 @@ void AddHiddenRisks(const JointModel& model,
       if (seen.insert(NamedItem(*fit.context, request, 1).id).second) hidden.push_back(request);
     }
   }
-  const double sigma_scale = std::sqrt(RowVariance(fit, outcome.rule));
+  const double sigma_scale = std::sqrt(RowVariance(fit, rule));
   d->hidden.resize(hidden.size());
   ParallelFor(static_cast<int>(hidden.size()), [&](int i) {
     const auto at = static_cast<std::size_t>(i);

@@ -6,19 +6,19 @@
 #include "core/model/problem_spec.h"
 #include "core/physics/context.h"
 #include "problems/diagnosis/hypotheses/bank.h"
-#include "problems/diagnosis/loop.h"
 #include "problems/diagnosis/refit/joint_model.h"
+#include "problems/diagnosis/search/gram.h"
 
 namespace dhcal {
 
 /// Lists what cannot be tested, and why.
 void AddNotTestable(const ProblemSpec& spec, const PhysicsContext& context, DiagnosisResult* d);
 
-/// What was not found, and what it could do elsewhere. `fit`: the rows of the bank.
+/// What was not found, and what it could do elsewhere. `rest`: of the rows of `fit`.
 void AddHiddenRisks(const JointModel& model,
                     const JointRows& fit,
-                    const LoopOutcome& outcome,
-                    const Bank& bank,
+                    const EvidenceRule& rule,
+                    const Bank::Rest& rest,
                     DiagnosisResult* d);
 
 }  // namespace dhcal

@@ -66,10 +66,10 @@ VectorXd DriverOfName(const Item& item, const PhysicsContext& context, std::stri
 
 Structure StrongestStructure(const Bank& bank, const EvidenceRule& rule, double sigma) {
   const VectorXd gains = bank.Gains(bank.members());
-  const Bank::Rest rest = bank.RestBeside(bank.members());
-  const double rss = rest.y.squaredNorm();
-  const auto rows = static_cast<double>(rest.y.size());
   Structure structure;
+  structure.rest = bank.RestBeside(bank.members());
+  const double rss = structure.rest.y.squaredNorm();
+  const auto rows = static_cast<double>(structure.rest.y.size());
   double tests = 0;
   for (Index i = 0; i < gains.size(); ++i) {
     const Item& item = bank.items()[static_cast<std::size_t>(i)];
@@ -101,8 +101,10 @@ Structure StrongestStructure(const Bank& bank, const EvidenceRule& rule, double 
   return structure;
 }
 
-Unexplained DescribeRest(const Bank& bank, const JointRows& joint, int index, double sigma_scale) {
-  const Item& item = bank.items()[static_cast<std::size_t>(index)];
+Unexplained DescribeRest(const Item& item,
+                         const JointRows& joint,
+                         const Bank::Rest& rest,
+                         double sigma_scale) {
   const PhysicsContext& context = *joint.context;
   const SlotLayout& layout = context.slots();
   Unexplained unexplained;
@@ -121,7 +123,6 @@ Unexplained DescribeRest(const Bank& bank, const JointRows& joint, int index, do
   }
   const std::vector<double> knots = EvenKnots(values);
   const MatrixXd hats = Hats(values, knots);
-  const Bank::Rest rest = bank.RestBeside(bank.members());
   double best = -1;
   for (const int slot : slots) {
     MatrixXd X(rest.y.size(), hats.cols());

@@ -16,13 +16,17 @@ struct Structure {
   int item = -1;              // position in the bank
   double gain = 0;            // squares that it would remove
   std::vector<MapEntry> map;  // of the cells, strongest first
+  Bank::Rest rest;            // of the rows beside the bank's members
 };
 
 /// Looks at every item of a bank beside its members.
 Structure StrongestStructure(const Bank& bank, const EvidenceRule& rule, double sigma);
 
-/// Place, driver and, where one thing drives it, the curve of an item beside the bank's members.
-Unexplained DescribeRest(const Bank& bank, const JointRows& joint, int item, double sigma_scale);
+/// Place, driver and, where one thing drives it, the curve of an item in a rest of the rows.
+Unexplained DescribeRest(const Item& item,
+                         const JointRows& joint,
+                         const Bank::Rest& rest,
+                         double sigma_scale);
 
 }  // namespace dhcal
 

@@ -9,6 +9,7 @@
 #include <Eigen/Cholesky>
 
 #include "core/base/rng.h"
+#include "problems/diagnosis/projection.h"
 #include "problems/diagnosis/refit/joint_fit.h"
 #include "problems/diagnosis/rows/outliers.h"
 #include "problems/diagnosis/tuning.h"
@@ -23,12 +24,6 @@ using Eigen::VectorXd;
 
 constexpr int kFoldsOfAWay = 5;
 constexpr std::uint64_t kRandomFolds = 11;
-
-MatrixXd GramOf(const MatrixXd& A) {
-  MatrixXd H = MatrixXd::Zero(A.cols(), A.cols());
-  H.selfadjointView<Eigen::Lower>().rankUpdate(A.transpose());
-  return H.selfadjointView<Eigen::Lower>();
-}
 
 /// Blocks of consecutive rows.
 std::vector<int> ConsecutiveFolds(int rows) {

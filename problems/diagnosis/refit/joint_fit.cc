@@ -6,6 +6,8 @@
 
 #include <Eigen/QR>
 
+#include "problems/diagnosis/projection.h"
+
 namespace dhcal {
 namespace {
 
@@ -19,13 +21,6 @@ constexpr double kRisesBy = 1.02, kRisesByAtMost = 10;
 constexpr double kSettled = 0.5;  // squares
 // Of a scaled unknown's own squares: rounding must not make them negative.
 constexpr double kSmall = 1e-13;
-
-/// Each column's length, for scaling; 1 where it is zero.
-VectorXd Lengths(const MatrixXd& B) {
-  VectorXd lengths = B.colwise().norm().transpose();
-  for (double& length : lengths) length = length > 0 ? length : 1.0;
-  return lengths;
-}
 
 JointState Moved(const JointRows& joint, const VectorXd& step, double part) {
   JointState moved = joint.state;
@@ -121,14 +116,12 @@ MatrixXd ShareOfMasses(const JointModel& model,
   geometry_only.value.resize(0);
   geometry_only.precision.resize(0);
   const Augmented augmented = AugmentedRows(model, geometry_only, MatrixXd(joint.y().size(), 0));
-  const MatrixXd scaled = augmented.B * Lengths(augmented.B).cwiseInverse().asDiagonal();
-  const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(scaled).householderQ() *
-                     MatrixXd::Identity(scaled.rows(), scaled.cols());
+  const MatrixXd Q = ThinBasis(augmented.B);
   const auto Q_rows = Q.topRows(joint.y().size());
   const MatrixXd X = joint.X(Eigen::all, elastic);
   const MatrixXd P = X - Q_rows * (Q_rows.transpose() * X);
   const MatrixXd R = joint.N - Q_rows * (Q_rows.transpose() * joint.N);
-  const VectorXd lengths = Lengths(P);
+  const VectorXd lengths = ColumnLengths(P);
   Eigen::ColPivHouseholderQR<MatrixXd> qr(P * lengths.cwiseInverse().asDiagonal());
   qr.setThreshold(1e-8);
   return lengths.cwiseInverse().asDiagonal() * qr.solve(R);
@@ -158,11 +151,8 @@ MatrixXd JointCovariance(const JointModel& model, const JointRows& joint) {
   return normal.Inverse().topLeftCorner(kept, kept);
 }
 
-NormalFactor::NormalFactor(const MatrixXd& B) : scale_(Lengths(B).cwiseInverse()) {
-  const Index size = B.cols();
-  MatrixXd H = MatrixXd::Zero(size, size);
-  H.selfadjointView<Eigen::Lower>().rankUpdate(B.transpose());
-  H = scale_.asDiagonal() * H * scale_.asDiagonal();
+NormalFactor::NormalFactor(const MatrixXd& B) : scale_(ColumnLengths(B).cwiseInverse()) {
+  MatrixXd H = scale_.asDiagonal() * GramOf(B) * scale_.asDiagonal();
   H.diagonal().array() += kSmall;
   factor_.compute(H);
 }

@@ -77,14 +77,6 @@ Frames StartOf(const ProblemSpec& user, const Recording& recording) {
   return c.frames;
 }
 
-MatrixXd Whitened(const DesignRows& rows, const SlotColumns& columns) {
-  MatrixXd whitened(rows.num_rows(), static_cast<Index>(columns.size()));
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    whitened.col(static_cast<Index>(k)) = rows.Column(columns[k]);
-  }
-  return whitened;
-}
-
 }  // namespace
 
 int JointRows::FirstColumn(std::size_t member) const {
@@ -165,32 +157,45 @@ std::shared_ptr<const PhysicsContext> JointModel::ContextAt(const RobotModel& ro
   return std::make_shared<const PhysicsContext>(robot, c.recording, std::move(bases), deltas);
 }
 
-JointRows JointModel::At(JointState state,
-                         const RowChoice& choice,
-                         const std::vector<int>& free) const {
-  const Calibration& c = *calibration_;
-  JointRows joint;
-  joint.free = free;
-  joint.robot = std::make_shared<const RobotModel>(WithMasses(state.masses));
-  const MatrixXd geometry = GeometryDeltas(state.geometry);
-  if (state.deltas.size() == 0) state.deltas = geometry;
-  const bool elastic = std::any_of(
-      state.members.begin(), state.members.end(), [](const Member& m) { return m.item.elastic; });
+JointModel::Bent JointModel::Bend(JointState* state) const {
+  Bent bent;
+  bent.robot = std::make_shared<const RobotModel>(WithMasses(state->masses));
+  const MatrixXd geometry = GeometryDeltas(state->geometry);
+  if (state->deltas.size() == 0) state->deltas = geometry;
+  bent.elastic = std::any_of(
+      state->members.begin(), state->members.end(), [](const Member& m) { return m.item.elastic; });
   // The loads bend the arm, and the bent arm has other loads: twice is enough.
-  std::vector<SlotColumns> columns(state.members.size());
-  for (int turn = 0; turn < (elastic ? 2 : 1); ++turn) {
-    joint.context = ContextAt(*joint.robot, state.deltas);
-    state.deltas = geometry;
-    for (std::size_t k = 0; k < state.members.size(); ++k) {
-      const Member& member = state.members[k];
-      columns[k] = ColumnsOf(member.item, *joint.context);
+  bent.columns.resize(state->members.size());
+  for (int turn = 0; turn < (bent.elastic ? 2 : 1); ++turn) {
+    bent.context = ContextAt(*bent.robot, state->deltas);
+    state->deltas = geometry;
+    for (std::size_t k = 0; k < state->members.size(); ++k) {
+      const Member& member = state->members[k];
+      bent.columns[k] = ColumnsOf(member.item, *bent.context);
       for (int i = 0; i < member.item.size; ++i) {
-        for (const SlotWeights& w : columns[k][static_cast<std::size_t>(i)]) {
-          state.deltas.row(w.slot) += member.value[i] * w.weight.transpose();
+        for (const SlotWeights& w : bent.columns[k][static_cast<std::size_t>(i)]) {
+          state->deltas.row(w.slot) += member.value[i] * w.weight.transpose();
         }
       }
     }
   }
+  return bent;
+}
+
+VectorXd JointModel::ResidualsAt(JointState state, const RowChoice& choice) const {
+  Bend(&state);
+  return DesignRows(*calibration_, state.deltas, choice.weights, choice.readings).y();
+}
+
+JointRows JointModel::At(JointState state,
+                         const RowChoice& choice,
+                         const std::vector<int>& free) const {
+  const Calibration& c = *calibration_;
+  const Bent bent = Bend(&state);
+  JointRows joint;
+  joint.free = free;
+  joint.robot = bent.robot;
+  joint.context = bent.context;
   joint.rows = std::make_shared<const DesignRows>(c, state.deltas, choice.weights, choice.readings);
   joint.A = joint.rows->Geometry(c.parameters);
   Index size = 0;
@@ -199,9 +204,9 @@ JointRows JointModel::At(JointState state,
   joint.value.resize(size);
   joint.precision.resize(size);
   Index first = 0;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
+  for (std::size_t k = 0; k < bent.columns.size(); ++k) {
     const Member& member = state.members[k];
-    joint.X.middleCols(first, member.item.size) = Whitened(*joint.rows, columns[k]);
+    joint.X.middleCols(first, member.item.size) = joint.rows->Columns(bent.columns[k]);
     joint.value.segment(first, member.item.size) = member.value;
     joint.precision.segment(first, member.item.size) = member.item.precision;
     first += member.item.size;
@@ -210,7 +215,7 @@ JointRows JointModel::At(JointState state,
   const double rows = std::max(1, joint.rows->degrees_of_freedom());
   joint.phi = std::max(1.0, joint.y().squaredNorm() / rows);
   joint.N.resize(joint.rows->num_rows(), 0);
-  if (elastic) AddMassColumns(&joint);
+  if (bent.elastic) AddMassColumns(&joint);
   return joint;
 }
 

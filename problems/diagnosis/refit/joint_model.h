@@ -80,8 +80,19 @@ class JointModel {
   /// No corrections; the members that the problem file switches on.
   JointState Start() const;
   JointRows At(JointState state, const RowChoice& choice, const std::vector<int>& free) const;
+  /// y of these rows alone.
+  Eigen::VectorXd ResidualsAt(JointState state, const RowChoice& choice) const;
 
  private:
+  /// The robot under its loads, and what the members' parameters add to the slots there.
+  struct Bent {
+    std::shared_ptr<const RobotModel> robot;
+    std::shared_ptr<const PhysicsContext> context;
+    std::vector<SlotColumns> columns;
+    bool elastic = false;
+  };
+  /// Fills the state's deltas.
+  Bent Bend(JointState* state) const;
   RobotModel WithMasses(const Eigen::VectorXd& errors) const;
   Eigen::MatrixXd GeometryDeltas(const Eigen::VectorXd& geometry) const;
   std::shared_ptr<const PhysicsContext> ContextAt(const RobotModel& robot,

@@ -24,8 +24,9 @@ constexpr std::size_t kBestAdditions = 12;
 constexpr std::size_t kPartners = 8;  // first halves of pairs
 constexpr std::size_t kBestPairs = 6;
 
-/// Solves the scaled block for what it would remove; columns that are as good as gone are left out.
-double Removes(MatrixXd block, VectorXd b, const Eigen::Ref<const VectorXd>& norm2) {
+}  // namespace
+
+double SquaresRemoved(MatrixXd block, VectorXd b, const Eigen::Ref<const VectorXd>& norm2) {
   const Index size = b.size();
   for (Index i = 0; i < size; ++i) {
     const double scale = 1 / std::sqrt(norm2[i]);
@@ -44,8 +45,6 @@ double Removes(MatrixXd block, VectorXd b, const Eigen::Ref<const VectorXd>& nor
   if (size == 1) return b[0] * b[0] / block(0, 0);
   return std::max(0.0, b.dot(Eigen::LDLT<MatrixXd>(block).solve(b)));
 }
-
-}  // namespace
 
 double EvidenceRule::Loss(double rss) const {
   const double x = std::max(rss, 1e-9 * dof) / dof;
@@ -197,7 +196,7 @@ SetEvaluator::Beside SetEvaluator::Condition(const ItemSet& base) const {
 
 double SetEvaluator::Gain(const MatrixXd& block, const VectorXd& b, int item) const {
   const GramItem& own = items_[static_cast<std::size_t>(item)];
-  return Removes(block, b, gram_.norm2.segment(own.first, own.size));
+  return SquaresRemoved(block, b, gram_.norm2.segment(own.first, own.size));
 }
 
 std::vector<SetEvaluator::Promise> SetEvaluator::Larger(const ItemSet& base, bool pairs) const {

@@ -15,6 +15,13 @@
 
 namespace dhcal {
 
+/// Squares that columns remove, from their Gram matrix `block` and products `b` beside what is
+/// taken out; columns that are as good as gone beside it are left out. `norm2`: their squares
+/// before.
+double SquaresRemoved(Eigen::MatrixXd block,
+                      Eigen::VectorXd b,
+                      const Eigen::Ref<const Eigen::VectorXd>& norm2);
+
 /// How squares left over, parameters and choices are weighed against each other; in the units of
 /// chi-square, smaller is better.
 struct EvidenceRule {

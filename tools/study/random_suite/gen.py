@@ -57,10 +57,8 @@ def make(seed, folder, force=None):
         w = 1 if massmode=='given' else None
         mm = m0 if w else m0*(1+r.normal(0,.2,n)); cc = c0 if w else c0+r.normal(0,.025,(n,3))
         y['robot']['links']=[dict(mass_kg=float(a),com_m=[float(v) for v in b]) for a,b in zip(mm,cc)]
-    # scratch case with exact q
     pay = np.where(r.random(N)<.5, 0., 5.) if r.random()<.2 else np.zeros(N)
     t = np.arange(N)*20.
-    run_dir = np.zeros((N,n),int)
     head = [f'q{i+1}_deg' if rev[i] else f'q{i+1}_mm' for i in range(n)]
     cols = [[f'{v:.9f}' for v in q[:,i]] for i in range(n)]
     head += ['t_s']; cols.append([f'{v:.1f}' for v in t])
@@ -69,7 +67,6 @@ def make(seed, folder, force=None):
     for k in range(1,N):
         s = np.sign(q[k]-q[k-1]).astype(int); dirs[k]=np.where(s==0,dirs[k-1],s)
     dirs[0]=r.choice([-1,1],n)
-    # recording with sigma etc. placeholder
     anc = r.choice(['A','B','C'],N)
     def write(P, Rm, qq, fold, dec_q):
         h=list(head); cc=[[f'{v:.{dec_q}f}' for v in qq[:,i]] for i in range(n)]+cols[n:]
@@ -87,8 +84,8 @@ def make(seed, folder, force=None):
     else: yy['measurement']['kind']='distance'
     yy['robot']['links']=[dict(mass_kg=float(a),com_m=[float(v) for v in b]) for a,b in zip(m0,c0)]
     yy['parameters']['estimate']='complete'
-    yaml.safe_dump(yy, open(folder+'/true.yaml','w')); y0=yy; 
-    Pz = np.zeros(N) if meas=='distance' else np.zeros((N,3)); mm_=meas; 
+    yaml.safe_dump(yy, open(folder+'/true.yaml','w'))
+    Pz = np.zeros(N) if meas=='distance' else np.zeros((N,3))
     if meas=='pose': write(Pz,np.tile([1,0,0,0],(N,1)).astype(float),q,folder,9)
     else: write(Pz,None,q,folder,9)
     c = Case(folder+'/true.yaml'); s = State(c); gi = {k:i for i,k in enumerate(c.G)}
@@ -96,7 +93,6 @@ def make(seed, folder, force=None):
         if g[0]=='th': s.g[i]=r.normal(0,5e-4)
         if g[0] in('al',): s.g[i]=r.normal(0,2e-4)
         if g[0] in('a','d'): s.g[i]=r.normal(0,2e-4)
-    tilt=None
     if est=='complete':
         for i,g in enumerate(c.G):
             if g[0]=='be': s.g[i]=r.normal(0,3e-4)
@@ -117,7 +113,6 @@ def make(seed, folder, force=None):
     def comp(j,st): add(('th',j),(st*3e-6 if j<3 else st*30e-6)*tau[:,j]*r.choice([.7,1.,1.4])); truth.append(('joint_compliance',j+1))
     def gear(j,o,st): ph=r.uniform(0,2*np.pi); add(('th',j),st*1e-4*np.sin(o*q[:,j]/D+ph)); truth.append(('gear_harmonic',j+1))
     st=strength
-    k0=kind
     if kind in('compliance','two_compliances','comp_gear','comp_drift','bending','base_compliance','balancer','three') and not loaded: kind='gear'
     main=[j for j in loaded if j<4] or loaded
     if kind=='compliance': comp(ch(main),st)
@@ -161,7 +156,6 @@ def make(seed, folder, force=None):
         for j in r.permutation(main)[:2]: comp(j,st)
         back(ch(revs),st)
     P0=F['P']; s.E=E; F1=forward(c,s); P=F1['P']
-    if kind in('compliance','two_compliances','comp_gear','comp_drift','three','bending','base_compliance') : pass
     # visibility: signature beyond geometry
     SL=slots(c,F); ones=np.ones(N)
     from dh import geo_slot
@@ -197,10 +191,8 @@ def make(seed, folder, force=None):
             M=RR[k]; K=np.array([[M[0,0]-M[1,1]-M[2,2],0,0,0],[M[0,1]+M[1,0],M[1,1]-M[0,0]-M[2,2],0,0],[M[0,2]+M[2,0],M[1,2]+M[2,1],M[2,2]-M[0,0]-M[1,1],0],[M[2,1]-M[1,2],M[0,2]-M[2,0],M[1,0]-M[0,1],M.trace()]])/3
             wv,V=np.linalg.eigh(K); x=V[:,3]; qs[k]=[x[3],x[0],x[1],x[2]]
         Rq=qs
-    head2=list(head)
     if kind in('backlash','backlash_gear','three') or r.random()<.3:
         for i in range(n): head.append(f'dir{i+1}'); cols.append([str(v) for v in dirs[:,i]])
-    elif any(x[0]=='backlash' for x in truth): pass
     write(Z,Rq,q,folder,dec)
     yaml.safe_dump(y,open(folder+'/problem.yaml','w'))
     if kind=='null': truth=[]

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-import sys, os, json, subprocess, math
+import json, math, os, subprocess, sys
 def wilson(k,n):
     if n==0: return (0,0)
     z=1.96; p=k/n; d=1+z*z/n; c=(p+z*z/2/n)/d; h=z*math.sqrt(p*(1-p)/n+z*z/4/n/n)/d; return (c-h,c+h)
@@ -28,7 +28,6 @@ def score(t,r):
     hit=all(any(same(x,f) for f in F) for x in truth); 
     listed=all(any(same(x,f) for f in F+C) or any(any(same(x,f) for f in h) for h in H) for x in truth)
     extra=[f for f in named if not any(same(x,f) for x in truth)]
-    unlist=[f for f in extra]
     wrong = bool(extra) and not listed
     gx=[g for g in geo if not (t['geo'] and {'base':'base_frame','tool':'tool_offset','tilt':'axis_tilt'}[t['geo'][0]]==g[0])]
     return dict(state='ok',verdict=d['verdict'],F=F,hit=hit,listed=listed,extra=extra,wrong=wrong,geo_extra=gx,alarm=d['verdict']!='consistent',nlist=len(H),sec=d.get('seconds'),rest=d.get('unexplained',{}).get('slot'))
