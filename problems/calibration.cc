@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@
 
 #include "core/physics/registry.h"
 #include "problems/parameter_set.h"
+#include "problems/without_rows.h"
 #include "residuals/readings.h"
 #include "residuals/registry.h"
 
@@ -48,6 +50,7 @@ Calibration::Calibration(const ProblemSpec& problem_spec, const Recording& rows)
       readings(CollectReadings(*measurement, rows, problem_spec.measurement.anchored)),
       frames(problem_spec.robot, rows) {
   if (!problem_spec.parameters.effects.empty()) SetEffects(problem_spec.parameters.effects);
+  if (!rows.set_aside.empty()) SetAside();
 }
 
 PhysicsContext Calibration::Context() const {
@@ -55,7 +58,28 @@ PhysicsContext Calibration::Context() const {
   for (std::size_t run = 0; run < frames.num_bases(); ++run) {
     bases.push_back(frames.base(static_cast<int>(run)));
   }
-  return PhysicsContext(spec.robot, recording, std::move(bases));
+  if (arm.size() == 0) return PhysicsContext(spec.robot, recording, std::move(bases));
+  return PhysicsContext(spec.robot, recording, std::move(bases), arm);
+}
+
+void Calibration::Bend(const Eigen::VectorXd& state) {
+  Eigen::MatrixXd bent(chain.slots().size(), recording.num_rows());
+  for (int row = 0; row < recording.num_rows(); ++row) bent.col(row) = SlotDeltas(state, row);
+  arm = std::move(bent);
+  UpdateEffects();
+}
+
+void Calibration::SetAside() {
+  std::set<int> off;
+  for (std::size_t row = 0; row < recording.set_aside.size(); ++row) {
+    if (recording.set_aside[row]) off.insert(static_cast<int>(row));
+  }
+  for (std::vector<Reading>* const readings_of : {&readings.fitted, &readings.test}) {
+    for (const Reading& reading : *readings_of) {
+      if (off.count(reading.row_idx) > 0) readings.set_aside.push_back(reading);
+    }
+    *readings_of = WithoutRows(*this, *readings_of, off);
+  }
 }
 
 void Calibration::SetEffects(const std::vector<EffectRequest>& requests) {

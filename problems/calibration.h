@@ -44,9 +44,16 @@ struct Calibration {
   void SetEffects(const std::vector<EffectRequest>& requests);
   /// What held effects add to slots, whatever the state.
   std::vector<SlotWeights> held;  // weight = amount [rad or m] per row of the recording
+  /// Lets the effects load the arm as it stands at a state, bent by the effects themselves, instead
+  /// of the nominal one, and computes their weights again. A state keeps its meaning.
+  void Bend(const Eigen::VectorXd& state);
   /// Computes the effects' weights again after `frames` has moved.
   void UpdateEffects() { SetEffects(effects); }
   std::vector<EffectRequest> effects;  // switched on
+  Eigen::MatrixXd arm;                 // slots x rows: of the arm that they load; empty = nominal
+
+  /// Moves the readings of rows that the recording sets aside out of the others.
+  void SetAside();
 
   /// Target of a row: index into spec.robot.targets, by its name; 0 without targets.
   int Target(int row_idx) const;

@@ -80,10 +80,12 @@ std::vector<RowResidual> DescribeRows(const Calibration& c,
       DescribeReadings(c, analysis.noise, problem.rows(), problem.state());
   const std::vector<double> leverages = Leverages(analysis, problem);
   for (std::size_t k = 0; k < rows.size(); ++k) rows[k].leverage = leverages[k];
-  const ReadingRows test_rows = RowsOf(c, c.readings.test);
-  for (RowResidual& row : DescribeReadings(c, analysis.noise, test_rows, problem.state())) {
-    row.test = true;
-    rows.push_back(std::move(row));
+  for (const std::vector<Reading>* const others : {&c.readings.test, &c.readings.set_aside}) {
+    const ReadingRows other_rows = RowsOf(c, *others);
+    for (RowResidual& row : DescribeReadings(c, analysis.noise, other_rows, problem.state())) {
+      row.test = c.recording.test(row.row_idx);
+      rows.push_back(std::move(row));
+    }
   }
   std::sort(rows.begin(), rows.end(), [](const RowResidual& a, const RowResidual& b) {
     return a.row_idx < b.row_idx;

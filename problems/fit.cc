@@ -84,4 +84,24 @@ Fit RunFit(const Calibration& calibration,
   return fit;
 }
 
+Fit RunBentFit(SolverMethod method,
+               const SolverOptions& options,
+               const Noise& initial_noise,
+               const Progress& progress,
+               Calibration* c) {
+  if (c->effects.empty()) return RunFit(*c, method, options, initial_noise, progress);
+  // What is held bends the arm already; what is estimated starts where its request says.
+  Eigen::VectorXd start = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(c->parameters.size()));
+  c->Bend(start);
+  Fit fit = RunFit(*c, method, options, initial_noise, progress);
+  // The arm of the second turn differs from the third's by the square of what bends it.
+  for (int turn = 0; turn < kBends && fit.summary.IsSolutionUsable(); ++turn) {
+    const Fit before = fit;
+    c->Bend(before.summary.state);
+    fit = RunFit(*c, method, options, before.noise_seen, progress, before.summary.state);
+    fit.summary.seconds += before.summary.seconds;
+  }
+  return fit;
+}
+
 }  // namespace dhcal

@@ -40,6 +40,14 @@ Fit RunFit(const Calibration& calibration,
            const Progress& progress,
            const Eigen::VectorXd& start = {});
 
+/// The same for a calibration with effects: they load the arm that the fit finds, so it is fitted
+/// again on that arm, and the calibration keeps it. Without effects RunFit alone.
+Fit RunBentFit(SolverMethod method,
+               const SolverOptions& options,
+               const Noise& initial_noise,
+               const Progress& progress,
+               Calibration* calibration);
+
 }  // namespace dhcal
 
 #endif  // DHCAL_PROBLEMS_FIT_H_

@@ -162,7 +162,10 @@ Result IdentifyGeometry(const ProblemSpec& spec,
   for (const SolverMethod method : Methods(spec.solver.method)) {
     const bool known = !fits.empty() && fits[0].summary.IsSolutionUsable();
     const Noise& start = known ? fits[0].noise_seen : noise;
-    fits.push_back(RunFit(c, method, OptionsOf(spec.solver), start, progress));
+    const SolverOptions options = OptionsOf(spec.solver);
+    // The second solver is compared on the arm that the first has found.
+    fits.push_back(known ? RunFit(c, method, options, start, progress)
+                         : RunBentFit(method, options, start, progress, &c));
   }
   DescribeFits(c, fits, &result);
   AddNotes(c, fits, &result);

@@ -39,4 +39,9 @@ IntervalVerdict JudgeIntervals(const Result& result) {
   return missed ? IntervalVerdict::kModelMissesNoise : IntervalVerdict::kHold;
 }
 
+IntervalVerdict JudgeDelivered(const DiagnosisResult& d) {
+  return d.verdict == DiagnosisVerdict::kExplained ? IntervalVerdict::kHold
+                                                   : IntervalVerdict::kModelMissesNoise;
+}
+
 }  // namespace dhcal

@@ -13,6 +13,9 @@ bool IsNoiseFree(const Result& result);
 /// answer, else by the fit's chi-square. To be asked again when a diagnosis has been added.
 IntervalVerdict JudgeIntervals(const Result& result);
 
+/// The same for geometry and effects fitted together.
+IntervalVerdict JudgeDelivered(const DiagnosisResult& diagnosis);
+
 }  // namespace dhcal
 
 #endif  // DHCAL_PROBLEMS_JUDGEMENT_H_

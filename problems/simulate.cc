@@ -82,12 +82,13 @@ Recording OnEveryTarget(const Recording& motion, const RobotModel& robot) {
   return rows;
 }
 
-/// Slot perturbations of every row by the effects put in (slots x rows). Nothing, with an error
-/// added, when one cannot be simulated with these rows.
+/// Slot perturbations of every row by the effects put in (slots x rows), which load the arm that
+/// `arm` describes. Nothing, with an error added, when one cannot be simulated with these rows.
 std::optional<Eigen::MatrixXd> EffectSlots(const ProblemSpec& spec,
                                            const Recording& rows,
+                                           const Eigen::MatrixXd& arm,
                                            Diagnostics* diagnostics) {
-  const PhysicsContext context(spec.robot, rows, {spec.robot.X_WB});
+  const PhysicsContext context(spec.robot, rows, {spec.robot.X_WB}, arm);
   Eigen::MatrixXd delta = Eigen::MatrixXd::Zero(context.slots().size(), rows.num_rows());
   bool ok = true;
   const auto refuse = [&](const EffectRequest& request, const std::string& reason) {
@@ -148,15 +149,19 @@ std::optional<Recording> SimulateRecording(const ProblemSpec& spec, Diagnostics*
   const Eigen::VectorXd errors = ErrorSlots(robot, *spec.simulate);
   Recording recording = OnEveryTarget(*motion, robot);
   recording.file = spec.file;
-  const std::optional<Eigen::MatrixXd> physics = EffectSlots(spec, recording, diagnostics);
-  if (!physics) return std::nullopt;
+  Eigen::MatrixXd arm = errors.replicate(1, recording.num_rows());
+  for (int turn = 0; turn < kBends; ++turn) {
+    const std::optional<Eigen::MatrixXd> physics = EffectSlots(spec, recording, arm, diagnostics);
+    if (!physics) return std::nullopt;
+    arm = physics->colwise() + errors;
+  }
   std::vector<Eigen::Isometry3d> X_WQ;
   for (int row_idx = 0; row_idx < recording.num_rows(); ++row_idx) {
     const auto target = static_cast<std::size_t>(recording.target(row_idx));
     const EndFrames ends{robot.X_WB,
                          robot.targets.empty() ? robot.X_TQ : robot.targets[target].X_TQ};
-    X_WQ.push_back(chain.Pose<double>(
-        recording.q.row(row_idx).transpose(), errors + physics->col(row_idx), ends));
+    X_WQ.push_back(
+        chain.Pose<double>(recording.q.row(row_idx).transpose(), arm.col(row_idx), ends));
   }
   const ReadingNoise noise{spec.simulate->noise, spec.simulate->noise_rotation};
   FindMeasurementType(spec.measurement.kind.name)

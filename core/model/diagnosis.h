@@ -12,6 +12,7 @@
 
 #include "core/model/effect_request.h"
 #include "core/model/parameter.h"
+#include "core/model/robot.h"
 
 namespace dhcal {
 
@@ -143,6 +144,8 @@ struct DiagnosisResult {
   /// All physics found, every line of a gear by itself, with the values of the fit: what a fit of
   /// other rows can hold.
   std::vector<EffectRequest> model;
+  /// Masses of the links as the joint fit has them; empty without effects that rest on them.
+  std::vector<LinkMass> links;
   std::vector<MovedParameter> moved;
   std::optional<Unexplained> unexplained;
   std::vector<HiddenRisk> hidden;

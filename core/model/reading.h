@@ -15,6 +15,7 @@ struct Reading {
 struct Readings {
   std::vector<Reading> fitted;
   std::vector<Reading> test;
+  std::vector<Reading> set_aside;  // of rows that were found misread
 };
 
 }  // namespace dhcal

@@ -18,8 +18,9 @@ struct ExtraColumn {
 /// Columns are stored column-wise, SI units. A matrix or vector with zero rows = the column is
 /// absent; NaN = the cell is blank. All present columns have num_rows() rows.
 struct Recording {
-  std::string file;        // for messages
-  std::vector<int> lines;  // line of each row in `file`; empty when made by simulation
+  std::string file;         // for messages
+  std::vector<int> lines;   // line of each row in `file`; empty when made by simulation
+  Eigen::VectorXd numbers;  // of each row in another recording, from 0; empty = as they stand
 
   Eigen::MatrixXd q;             // num_rows x n [rad] or [m], as the controller reported it
   Eigen::MatrixXd p_WQ;          // num_rows x 3 [m] measured position
@@ -42,6 +43,8 @@ struct Recording {
   std::vector<std::string> anchor_names;
   std::vector<int> anchor_idx;  // -1 = blank
   std::vector<bool> is_test;    // set == "test"; empty = no such column
+  /// Rows that a diagnosis found misread: neither fitted nor tested with. Empty = none.
+  std::vector<bool> set_aside;
 
   std::vector<ExtraColumn> extra;
 

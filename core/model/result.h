@@ -144,11 +144,35 @@ struct ValidationResult {
 struct RowResidual {
   int row_idx = -1;
   bool test = false;
-  Eigen::VectorXd measured, predicted_before, predicted_after, residual, standardised;
-  double length = kNotSet;    // [m] of the residual, its rotations apart
-  double sigmas = kNotSet;    // largest standardised coordinate, by size
+  Eigen::VectorXd measured, predicted_before, predicted_after;
+  Eigen::VectorXd predicted_effects;       // by the delivered model, where there is one
+  Eigen::VectorXd residual, standardised;  // of the last prediction
+  double length = kNotSet;                 // [m] of the residual, its rotations apart
+  double sigmas = kNotSet;                 // largest standardised coordinate, by size
   double leverage = kNotSet;  // sum over the row's coordinates; NaN for rows not fitted
   std::string run;            // the row's label; empty when the recording has none
+  std::string set_aside;      // why; empty for rows that are used
+};
+
+/// A row that is neither fitted nor tested with.
+struct RowSetAside {
+  int row_idx = -1;
+  bool test = false;
+  std::string reason;     // what is odd about it, in words
+  double size = kNotSet;  // [m] how far it lies off
+};
+
+/// What calibrated.yaml holds where physics or missing geometry was found: geometry and effects
+/// fitted together.
+struct DeliveredModel {
+  RobotModel robot;
+  std::vector<EffectRequest> effects;  // held at what was found, the problem file's first
+  FitResult fit;
+  ValidationResult validation;
+  IntervalVerdict intervals = IntervalVerdict::kHold;
+  /// The robot without the effects, for controllers that take Denavit-Hartenberg rows only; absent
+  /// where no effects were found.
+  std::optional<RobotModel> rigid;
 };
 
 struct Result {
@@ -175,10 +199,14 @@ struct Result {
   std::vector<RowResidual> residuals;
   RobotModel calibrated;  // the robot with the corrected values
   std::optional<DiagnosisResult> diagnosis;
+  std::optional<DeliveredModel> delivered;
+  std::vector<RowSetAside> rows_set_aside;
   bool simulated = false;
   std::vector<std::string> notes;  // warnings a reader of the report should see
 
   const FitResult* best() const { return best_fit < 0 ? nullptr : &fits[best_fit]; }
+  /// The fit whose robot is delivered: with the effects found, else the best.
+  const FitResult* delivered_fit() const { return delivered ? &delivered->fit : best(); }
 };
 
 }  // namespace dhcal

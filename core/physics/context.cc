@@ -175,7 +175,9 @@ void PhysicsContext::FillDirections() {
 }
 
 void PhysicsContext::FillClock() {
-  clock_ = Eigen::VectorXd::LinSpaced(num_rows(), 0, num_rows() - 1);
+  clock_ = recording_.numbers.size() > 0
+               ? recording_.numbers
+               : Eigen::VectorXd::LinSpaced(num_rows(), 0, num_rows() - 1);
   drift_clock_ = clock_;
   if (num_rows() == 0) return;
   if (has_time()) {

@@ -21,6 +21,9 @@ struct Twist {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();           // [m]
 };
 
+/// Loads bend the arm, and the bent arm has other loads: this often is enough.
+constexpr int kBends = 2;
+
 /// Immutable. Joints and links count from 0 here. Everything is at the nominal robot, unless the
 /// context was made at another state of it.
 class PhysicsContext {

@@ -94,8 +94,8 @@ Paragraph InShort(const DiagnosisResult& d) {
       Probability(m.p_value, m.p_floor),
       d.false_alarm);
   if (m.outliers > 0) {
-    misfit += fmt::format(
-        " {} set aside as outliers: {}.", Counted(m.outliers, "row"), RowsInWords(m.outlier_rows));
+    misfit +=
+        fmt::format(" {} set aside: {}.", Counted(m.outliers, "row"), RowsInWords(m.outlier_rows));
   }
   text.lines.push_back(misfit);
   return text;

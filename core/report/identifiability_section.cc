@@ -159,7 +159,7 @@ Figure SpectrumFigure(const FitResult& fit) {
 }  // namespace
 
 Section IdentifiabilitySection(const Result& result) {
-  const FitResult* const fit = result.best();
+  const FitResult* const fit = result.delivered_fit();
   if (fit == nullptr) return {};
   Section section{"WHAT THE READINGS CANNOT TELL", {}};
   const std::string rank = RankSentence(*fit);

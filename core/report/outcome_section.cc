@@ -36,15 +36,26 @@ std::string NominalError(const Result& result) {
   return ErrorText(result.nominal.rms, result.nominal.rms_point, result.nominal.max_point);
 }
 
+/// How the model of calibrated.yaml predicts rows that it has not seen.
+const ValidationResult& Delivered(const Result& result) {
+  return result.delivered ? result.delivered->validation : result.validation;
+}
+
 std::string Answer(const Result& result) {
   const FitResult& fit = *result.best();
-  const ValidationResult& unseen = result.validation;
+  const ValidationResult& unseen = Delivered(result);
   const bool in_space = !std::isnan(fit.rms_point);
   std::string text = fmt::format("Error of the predicted {}{}: {}, {} after calibration.",
                                  result.kind.noun,
                                  in_space ? " (length of the 3-D error)" : "",
                                  ErrorBefore(result),
                                  ErrorText(fit.rms, fit.rms_point, fit.max_point));
+  if (result.delivered) {
+    const FitResult& all = result.delivered->fit;
+    text.back() = ',';
+    text += fmt::format(" {} with what was found (calibrated.yaml).",
+                        ErrorText(all.rms, all.rms_point, all.max_point));
+  }
   if (!std::isnan(unseen.rms_test)) {
     text += fmt::format(" On rows that were not fitted: {}.",
                         ErrorText(unseen.rms_test, unseen.rms_point_test, unseen.max_point_test));
@@ -74,22 +85,29 @@ Table ErrorTable(const Result& result) {
     table.AddRow(
         ErrorRow("base and tool fitted, nominal robot", result.rows, *result.base_and_tool_only));
   }
-  const FitResult& fit = *result.best();
-  table.AddRow(
-      ErrorRow("calibrated, fitted rows", result.rows, {fit.rms, fit.rms_point, fit.max_point}));
-  const ValidationResult& unseen = result.validation;
-  if (!std::isnan(unseen.rms_test)) {
-    table.AddRow(ErrorRow("calibrated, unseen rows",
-                          unseen.rows,
-                          {unseen.rms_test, unseen.rms_point_test, unseen.max_point_test}));
+  const auto add =
+      [&](const std::string& what, const FitResult& fit, const ValidationResult& unseen) {
+        table.AddRow(
+            ErrorRow(what + ", fitted rows", result.rows, {fit.rms, fit.rms_point, fit.max_point}));
+        if (std::isnan(unseen.rms_test)) return;
+        table.AddRow(ErrorRow(what + ", unseen rows",
+                              unseen.rows,
+                              {unseen.rms_test, unseen.rms_point_test, unseen.max_point_test}));
+      };
+  if (!result.delivered) {
+    add("calibrated", *result.best(), result.validation);
+    return table;
   }
+  const DeliveredModel& all = *result.delivered;
+  add("geometry of the file", *result.best(), result.validation);
+  add(all.rigid ? "with the effects found" : "with the geometry found", all.fit, all.validation);
   return table;
 }
 
 }  // namespace
 
 Section OutcomeSection(const Result& result) {
-  const FitResult& fit = *result.best();
+  const FitResult& fit = *result.delivered_fit();
   Section section{"RESULT", {Paragraph{{Answer(result)}, ""}, ErrorTable(result)}};
   const auto say = [&](const std::string& sentence) {
     section.blocks.push_back(Paragraph{{sentence}, ""});
@@ -127,7 +145,7 @@ Section NoOutcomeSection(const Result& result) {
 
 Section ValidationSection(const Result& result) {
   if (result.best() == nullptr) return {};
-  const ValidationResult& validation = result.validation;
+  const ValidationResult& validation = Delivered(result);
   Paragraph text;
   if (validation.method.empty()) {
     text.lines = {

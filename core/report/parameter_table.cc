@@ -121,7 +121,9 @@ std::string HeldWords(const FitResult& fit) {
 
 /// For which parameters the intervals hold.
 std::string IntervalWords(const Result& result, const FitResult& fit) {
-  if (result.intervals == IntervalVerdict::kHold) {
+  const IntervalVerdict intervals =
+      result.delivered ? result.delivered->intervals : result.intervals;
+  if (intervals == IntervalVerdict::kHold) {
     return "Sigma and the 95 % interval are those of the correction. They hold for the "
            "parameters called identified; for the others see the next section.";
   }
@@ -130,7 +132,7 @@ std::string IntervalWords(const Result& result, const FitResult& fit) {
         return parameter.unit == Unit::kOther;
       });
   const std::string why =
-      result.intervals == IntervalVerdict::kGeometryIncomplete
+      intervals == IntervalVerdict::kGeometryIncomplete
           ? "The geometry that the file estimates is not complete, so the intervals do not hold"
           : fmt::format("The {} model does not meet the noise, so the intervals do not hold",
                         with_effects ? "fitted" : "rigid");
@@ -142,12 +144,27 @@ std::string IntervalWords(const Result& result, const FitResult& fit) {
       diagnosed ? ", see LEFT-OUT PHYSICS" : "");
 }
 
+/// Whose parameters these are.
+std::string DeliveredWords(const DeliveredModel& model) {
+  if (!model.rigid) {
+    return "The file's geometry and what was found missing in it, fitted together: what "
+           "calibrated.yaml holds.";
+  }
+  return "Geometry and effects found, fitted together: what calibrated.yaml holds, for controllers "
+         "that take effects, too. The robot without them, for controllers that take "
+         "Denavit-Hartenberg rows only, is in calibrated_rigid.yaml.";
+}
+
 }  // namespace
 
 Section ParameterSection(const Result& result) {
-  const FitResult* const fit = result.best();
+  const FitResult* const fit = result.delivered_fit();
   if (fit == nullptr || fit->parameters.empty()) return {};
-  Section section{"PARAMETERS", {Paragraph{{IntervalWords(result, *fit)}, ""}}};
+  Section section{"PARAMETERS", {}};
+  if (result.delivered) {
+    section.blocks.push_back(Paragraph{{DeliveredWords(*result.delivered)}, ""});
+  }
+  section.blocks.push_back(Paragraph{{IntervalWords(result, *fit)}, ""});
   for (const Table& table : {UnitTable(*fit, Unit::kRadian, result.noise_free),
                              UnitTable(*fit, Unit::kMetre, result.noise_free),
                              EffectTable(*fit)}) {

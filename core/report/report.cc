@@ -21,6 +21,7 @@ std::vector<Section> Sections(const ProblemSpec& spec, const Result& result) {
             NotesSection(result)};
   }
   return {InputSection(spec, result),
+          SetAsideSection(result),
           OutcomeSection(result),
           DiagnosisSection(spec, result),
           SolverSection(result),

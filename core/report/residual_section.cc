@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMostResiduals = 5;
 constexpr std::size_t kMostNotes = 20;
+constexpr std::size_t kMostSetAside = 30;
 
 /// How far a row is off, for comparison; a row of which that is not known comes last.
 double Sigmas(const RowResidual& row) { return std::isnan(row.sigmas) ? 0.0 : row.sigmas; }
@@ -21,7 +22,9 @@ double Sigmas(const RowResidual& row) { return std::isnan(row.sigmas) ? 0.0 : ro
 std::vector<const RowResidual*> WorstRows(const std::vector<RowResidual>& rows) {
   std::vector<const RowResidual*> worst;
   worst.reserve(rows.size());
-  for (const RowResidual& row : rows) worst.push_back(&row);
+  for (const RowResidual& row : rows) {
+    if (row.set_aside.empty()) worst.push_back(&row);
+  }
   const auto end = worst.begin() + static_cast<long>(std::min(worst.size(), kMostResiduals));
   std::partial_sort(worst.begin(), end, worst.end(), [](const auto* a, const auto* b) {
     const double sigmas_a = Sigmas(*a);
@@ -33,6 +36,30 @@ std::vector<const RowResidual*> WorstRows(const std::vector<RowResidual>& rows) 
 }
 
 }  // namespace
+
+Section SetAsideSection(const Result& result) {
+  if (result.rows_set_aside.empty()) return {};
+  Table table;
+  table.columns = {{"row", ""},
+                   {"set", "", 6, Table::Align::kLeft},
+                   {"off by", "mm"},
+                   {"what is odd", "", 60, Table::Align::kLeft}};
+  for (const RowSetAside& row : result.rows_set_aside) {
+    if (table.rows.size() == kMostSetAside) break;
+    table.AddRow({std::to_string(row.row_idx + 1),
+                  row.test ? "unseen" : "fitted",
+                  std::isnan(row.size) ? "-" : Millimetres(row.size),
+                  row.reason});
+  }
+  if (result.rows_set_aside.size() > kMostSetAside) {
+    table.AddLeftOut(result.rows_set_aside.size() - kMostSetAside);
+  }
+  return {"ROWS SET ASIDE",
+          {Paragraph{{"These rows do not fit any model of the others: they are neither fitted nor "
+                      "tested with. Check how they were taken."},
+                     ""},
+           table}};
+}
 
 Section ResidualSection(const Result& result) {
   if (result.best() == nullptr || result.residuals.empty()) return {};

@@ -13,6 +13,9 @@ namespace dhcal {
 /// What was read and asked: robot, recording, rows, measurement, noise, solver.
 Section InputSection(const ProblemSpec& spec, const Result& result);
 
+/// Rows that were found misread; empty without any.
+Section SetAsideSection(const Result& result);
+
 /// The answer: error of the prediction before and after, on fitted and on unseen rows.
 Section OutcomeSection(const Result& result);
 

@@ -319,6 +319,7 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   }
   AddConfusables(model, outcome, &d);
   d.model = ModelOf(outcome, certainties);
+  if (!outcome.fit.state.masses.isZero(0)) d.links = outcome.fit.robot->links;
   if (!groups.empty()) {
     d.moved = MovedByPhysics(model, outcome, certainties, before.state.geometry);
   }

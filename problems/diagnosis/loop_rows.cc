@@ -9,8 +9,8 @@
 #include "problems/diagnosis/judge/certainty.h"
 #include "problems/diagnosis/loop.h"
 #include "problems/diagnosis/rows/outliers.h"
-#include "problems/diagnosis/rows/without_rows.h"
 #include "problems/diagnosis/tuning.h"
+#include "problems/without_rows.h"
 
 namespace dhcal {
 namespace {

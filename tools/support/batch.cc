@@ -14,7 +14,7 @@
 #include "core/report/summary_table.h"
 #include "core/report/text_renderer.h"
 #include "core/report/text_table.h"
-#include "problems/diagnosis/diagnose.h"
+#include "problems/diagnosis/calibrate.h"
 #include "problems/formats/problem/effects_reader.h"
 #include "problems/formats/problem/problem_checks.h"
 #include "problems/formats/problem/problem_reader.h"
@@ -107,14 +107,9 @@ Outcome RunJob(const Job& job, bool quiet) {
   if (!quiet) progress = [&printer](const std::string& text) { printer(text); };
   Outcome outcome;
   outcome.problem = job.spec.name;
-  outcome.result = IdentifyGeometry(job.spec, job.recording, progress);
-  if (WantsDiagnosis(job.spec, outcome.result)) {
-    outcome.result.diagnosis =
-        Guarded([&] { return Diagnose(job.spec, job.recording, outcome.result, progress); });
-    if (outcome.result.diagnosis->verdict == DiagnosisVerdict::kFailed) {
-      std::cerr << job.spec.name << ": warning: " << outcome.result.diagnosis->summary << ".\n";
-    }
-    outcome.result.intervals = JudgeIntervals(outcome.result);
+  outcome.result = Calibrate(job.spec, job.recording, progress);
+  if (outcome.result.diagnosis && outcome.result.diagnosis->verdict == DiagnosisVerdict::kFailed) {
+    std::cerr << job.spec.name << ": warning: " << outcome.result.diagnosis->summary << ".\n";
   }
   if (!quiet) std::cout << ToText(ReportOf(job.spec, outcome.result)) << std::flush;
 

@@ -164,9 +164,8 @@ JointModel::Bent JointModel::Bend(JointState* state) const {
   if (state->deltas.size() == 0) state->deltas = geometry;
   bent.elastic = std::any_of(
       state->members.begin(), state->members.end(), [](const Member& m) { return m.item.elastic; });
-  // The loads bend the arm, and the bent arm has other loads: twice is enough.
   bent.columns.resize(state->members.size());
-  for (int turn = 0; turn < (bent.elastic ? 2 : 1); ++turn) {
+  for (int turn = 0; turn < (bent.elastic ? kBends : 1); ++turn) {
     bent.context = ContextAt(*bent.robot, state->deltas);
     state->deltas = geometry;
     for (std::size_t k = 0; k < state->members.size(); ++k) {

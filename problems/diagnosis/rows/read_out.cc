@@ -70,6 +70,14 @@ Recording PutTogether(const Recording& r,
                       const std::vector<std::vector<int>>& groups,
                       const MatrixXd& direction) {
   Recording t = r;
+  // A pose begins with its first reading: an instant that separates poses separates their readings.
+  t.numbers.resize(static_cast<Index>(groups.size()));
+  t.time.resize(r.time.size() > 0 ? t.numbers.size() : 0);
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    const auto at = static_cast<Index>(k);
+    t.numbers[at] = groups[k].front();
+    if (t.time.size() > 0) t.time[at] = r.time[groups[k].front()];
+  }
   t.lines = Firsts(r.lines, groups);
   t.q = Grouped(r.q, groups, false);
   t.p_WQ = Grouped(r.p_WQ, groups, true);
@@ -77,7 +85,6 @@ Recording PutTogether(const Recording& r,
   for (Index k = 0; k < t.quaternion.rows(); ++k) t.quaternion.row(k).normalize();
   t.distance = Grouped(r.distance, groups, true);
   t.sigma = Grouped(r.sigma, groups, false);
-  t.time = Grouped(r.time, groups, false);
   t.payload = Grouped(r.payload, groups, false);
   t.temperature = Grouped(r.temperature, groups, false);
   t.direction = Grouped(direction, groups, true);

@@ -132,9 +132,27 @@ bool Needed(const YAML::Node& old, const Eigen::Isometry3d& X, const std::vector
   return !old.IsNull() || !runs.empty() || !X.isApprox(Eigen::Isometry3d::Identity(), 0.0);
 }
 
+YAML::Node LinksNode(const std::vector<LinkMass>& links) {
+  YAML::Node list(YAML::NodeType::Sequence);
+  for (const LinkMass& link : links) {
+    YAML::Node node = FlowMap();
+    node["mass_kg"] = Digits(link.mass);
+    node["com_m"] = FlowList(link.p_LC);
+    list.push_back(node);
+  }
+  return list;
+}
+
+bool SameMasses(const std::vector<LinkMass>& a, const std::vector<LinkMass>& b) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(), [](const LinkMass& x, const LinkMass& y) {
+        return x.mass == y.mass && x.p_LC == y.p_LC;
+      });
+}
+
 /// Rebuilt rather than changed in place: parts of the file may be shared through YAML aliases.
 /// `units` goes, because every number written here names its own unit.
-YAML::Node RobotNode(const RobotModel& calibrated, const YAML::Node& old) {
+YAML::Node RobotNode(const RobotModel& calibrated, bool masses_changed, const YAML::Node& old) {
   YAML::Node robot(YAML::NodeType::Map);
   for (const auto& entry : old) {
     const std::string key = entry.first.Scalar();
@@ -149,37 +167,54 @@ YAML::Node RobotNode(const RobotModel& calibrated, const YAML::Node& old) {
   if (Needed(tool, calibrated.X_TQ, calibrated.tool_of_run)) {
     robot["tool"] = FrameNode(calibrated.X_TQ, calibrated.tool_of_run, tool);
   }
+  if (masses_changed) robot["links"] = LinksNode(calibrated.links);
   if (!calibrated.targets.empty()) {
     robot["targets"] = TargetsNode(calibrated.targets, Child(old, "targets"));
   }
   return robot;
 }
 
-/// An effect with what was found for it; as it stands where it was held already.
-YAML::Node EffectNode(const EffectRequest& effect, const YAML::Node& old) {
-  if (!effect.held || !Child(old, "values").IsNull()) return old;
+YAML::Node ValuesNode(const EffectRequest& effect) {
   YAML::Node values = FlowMap();
   for (const auto& [name, value] : effect.values) values[name] = Digits(value);
+  return values;
+}
+
+/// An effect of the file with what was found for it; as it stands where it was held already.
+YAML::Node EffectNode(const EffectRequest& effect, const YAML::Node& old) {
+  if (!effect.held || !Child(old, "values").IsNull()) return old;
   YAML::Node node = Without({}, old);
-  node["values"] = values;
+  node["values"] = ValuesNode(effect);
+  return node;
+}
+
+/// An effect that the file does not have.
+YAML::Node FoundEffectNode(const EffectRequest& effect) {
+  YAML::Node node = FlowMap();
+  node["effect"] = effect.effect;
+  if (effect.joint > 0) node["joint"] = std::to_string(effect.joint);
+  for (const auto& [key, value] : effect.settings) node[key] = Digits(value);
+  node["values"] = ValuesNode(effect);
   return node;
 }
 
 YAML::Node ParametersNode(const std::vector<EffectRequest>& effects, const YAML::Node& old) {
   YAML::Node parameters(YAML::NodeType::Map);
-  for (const auto& entry : old) {
-    const std::string key = entry.first.Scalar();
-    if (key != "effects") {
-      parameters[key] = entry.second;
-      continue;
-    }
-    if (!entry.second.IsSequence() || entry.second.size() != effects.size()) ThrowChanged();
-    YAML::Node list(YAML::NodeType::Sequence);
-    for (std::size_t k = 0; k < effects.size(); ++k) {
-      list.push_back(EffectNode(effects[k], entry.second[k]));
-    }
-    parameters[key] = list;
+  if (old.IsMap()) {
+    for (const auto& entry : old) parameters[entry.first.Scalar()] = entry.second;
   }
+  const YAML::Node old_effects = Child(parameters, "effects");
+  const std::size_t num_old = old_effects.IsSequence() ? old_effects.size() : 0;
+  if (num_old > effects.size()) ThrowChanged();
+  if (effects.empty()) return parameters;
+  YAML::Node list(YAML::NodeType::Sequence);
+  for (std::size_t k = 0; k < num_old; ++k) {
+    list.push_back(EffectNode(effects[k], old_effects[k]));
+  }
+  for (std::size_t k = num_old; k < effects.size(); ++k) {
+    list.push_back(FoundEffectNode(effects[k]));
+  }
+  parameters["effects"] = list;
   return parameters;
 }
 
@@ -196,12 +231,16 @@ std::string CalibratedYaml(const ProblemSpec& spec,
     if (key == "recording" || key == "simulate") {
       root["recording"] = recording_path;
     } else if (key == "robot") {
-      root["robot"] = RobotNode(calibrated, entry.second);
+      const bool masses_changed = !SameMasses(calibrated.links, spec.robot.links);
+      root["robot"] = RobotNode(calibrated, masses_changed, entry.second);
     } else if (key == "parameters") {
       root["parameters"] = ParametersNode(effects, entry.second);
     } else {
       root[key] = entry.second;
     }
+  }
+  if (Child(original, "parameters").IsNull() && !effects.empty()) {
+    root["parameters"] = ParametersNode(effects, YAML::Node());
   }
   const bool held = std::any_of(
       effects.begin(), effects.end(), [](const EffectRequest& effect) { return effect.held; });

@@ -26,19 +26,26 @@ std::vector<Coordinate> CoordinatesOf(const Result& result) {
   return coordinates;
 }
 
-void AppendHeader(const std::vector<Coordinate>& coordinates, bool with_target, CsvText* csv) {
+/// Which columns there are besides those of every recording.
+struct Extras {
+  bool target = false, effects = false, set_aside = false;
+};
+
+void AppendHeader(const std::vector<Coordinate>& coordinates, const Extras& extras, CsvText* csv) {
   csv->Label("row");
   csv->Label("run");
-  if (with_target) csv->Label("target");
+  if (extras.target) csv->Label("target");
   csv->Label("set");
   for (const Coordinate& coordinate : coordinates) {
-    for (const char* const what :
-         {"measured_", "predicted_before_", "predicted_after_", "residual_"}) {
+    for (const char* const what : {"measured_", "predicted_before_", "predicted_after_"}) {
       csv->Label(what + coordinate.suffix);
     }
+    if (extras.effects) csv->Label("predicted_effects_" + coordinate.suffix);
+    csv->Label("residual_" + coordinate.suffix);
     csv->Label("standardised_" + coordinate.name);
   }
   csv->Label("leverage");
+  if (extras.set_aside) csv->Label("set_aside");
   csv->EndRow();
 }
 
@@ -51,16 +58,21 @@ void AppendElement(const Eigen::VectorXd& vector, int index, double unit, CsvTex
   }
 }
 
-void AppendRow(const RowResidual& row, const std::vector<Coordinate>& coordinates, CsvText* csv) {
+void AppendRow(const RowResidual& row,
+               const std::vector<Coordinate>& coordinates,
+               const Extras& extras,
+               CsvText* csv) {
   for (int i = 0; i < static_cast<int>(coordinates.size()); ++i) {
     const double unit = coordinates[i].unit;
     AppendElement(row.measured, i, unit, csv);
     AppendElement(row.predicted_before, i, unit, csv);
     AppendElement(row.predicted_after, i, unit, csv);
+    if (extras.effects) AppendElement(row.predicted_effects, i, unit, csv);
     AppendElement(row.residual, i, unit, csv);
     AppendElement(row.standardised, i, 1.0, csv);
   }
   csv->Number(row.leverage);
+  if (extras.set_aside) csv->Label(row.set_aside);
   csv->EndRow();
 }
 
@@ -68,15 +80,16 @@ void AppendRow(const RowResidual& row, const std::vector<Coordinate>& coordinate
 
 std::string ResidualsToCsv(const Result& result, const Recording& recording) {
   const std::vector<Coordinate> coordinates = CoordinatesOf(result);
-  const bool with_target = !recording.target_idx.empty();
+  const Extras extras = {
+      !recording.target_idx.empty(), result.delivered.has_value(), !result.rows_set_aside.empty()};
   CsvText csv;
-  AppendHeader(coordinates, with_target, &csv);
+  AppendHeader(coordinates, extras, &csv);
   for (const RowResidual& row : result.residuals) {
     csv.Integer(row.row_idx + 1);
     csv.Label(row.run);
-    if (with_target) csv.Label(recording.target_names[recording.target(row.row_idx)]);
+    if (extras.target) csv.Label(recording.target_names[recording.target(row.row_idx)]);
     csv.Label(row.test ? "test" : "train");
-    AppendRow(row, coordinates, &csv);
+    AppendRow(row, coordinates, extras, &csv);
   }
   return csv.Take();
 }

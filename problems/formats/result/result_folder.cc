@@ -24,10 +24,13 @@ namespace fs = std::filesystem;
 
 constexpr char kResultJson[] = "result.json";  // every result has it
 constexpr char kRecordingCsv[] = "recording.csv";
+constexpr char kCalibrated[] = "calibrated.yaml";
+constexpr char kRigid[] = "calibrated_rigid.yaml";
 
 const std::vector<std::string>& OwnNames() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {kResultJson, "calibrated.yaml", "residuals.csv", kRecordingCsv};
+    std::vector<std::string> all = {
+        kResultJson, kCalibrated, kRigid, "residuals.csv", kRecordingCsv};
     for (const ReportFormat& format : ReportFormats()) all.emplace_back(format.file);
     return all;
   }();
@@ -114,6 +117,24 @@ std::string ReadBytes(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// The robot to run again: what the report announces and, where that has effects which were found,
+/// the robot without them.
+void AddCalibrated(const ProblemSpec& spec,
+                   const Recording& recording,
+                   const Result& result,
+                   const std::string& recording_path,
+                   std::vector<NamedContent>* files) {
+  const auto add =
+      [&](const char* name, const RobotModel& robot, const std::vector<EffectRequest>& effects) {
+        files->push_back({name, CalibratedYaml(spec, robot, effects, recording_path)});
+      };
+  const std::vector<EffectRequest> of_file =
+      EffectsAsFound(spec, recording, result.best()->parameters);
+  if (!result.delivered) return add(kCalibrated, result.calibrated, of_file);
+  add(kCalibrated, result.delivered->robot, result.delivered->effects);
+  if (result.delivered->rigid) add(kRigid, *result.delivered->rigid, of_file);
+}
+
 /// The folder's files. Throws std::runtime_error when an input has gone since it was read.
 std::vector<NamedContent> Compose(const ProblemSpec& spec,
                                   const Recording& recording,
@@ -136,9 +157,7 @@ std::vector<NamedContent> Compose(const ProblemSpec& spec,
   // Without a usable fit there is no calibrated robot to run again.
   if (result.best() != nullptr) {
     const std::string path = RecordingPath(spec, result.simulated || keep_recording, folder);
-    const std::vector<EffectRequest> effects =
-        EffectsAsFound(spec, recording, result.best()->parameters);
-    files.push_back({"calibrated.yaml", CalibratedYaml(spec, result.calibrated, effects, path)});
+    AddCalibrated(spec, recording, result, path, &files);
   }
   return files;
 }

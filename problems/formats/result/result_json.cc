@@ -160,6 +160,43 @@ Json HeadToJson(const Result& result) {
   return head;
 }
 
+Json EffectsToJson(const std::vector<EffectRequest>& effects) {
+  Json array = Json::array();
+  for (const EffectRequest& effect : effects) {
+    Json entry = {{"effect", effect.effect}};
+    if (effect.joint > 0) entry["joint"] = effect.joint;
+    if (!effect.settings.empty()) entry["settings"] = effect.settings;
+    entry["values"] = effect.values;
+    array.push_back(std::move(entry));
+  }
+  return array;
+}
+
+Json DeliveredToJson(const DeliveredModel& model) {
+  Json object = Json::object();
+  Set("rms_m", model.fit.rms, &object);
+  Set("rms_point_m", model.fit.rms_point, &object);
+  Set("max_point_m", model.fit.max_point, &object);
+  Set("rms_test_m", model.validation.rms_test, &object);
+  Set("rms_point_test_m", model.validation.rms_point_test, &object);
+  object["intervals"] = ToString(model.intervals);
+  object["effects"] = EffectsToJson(model.effects);
+  object["parameters"] = ParametersToJson(model.fit.parameters);
+  object["null_space"] = NullSpaceToJson(model.fit.null_space);
+  return object;
+}
+
+Json SetAsideToJson(const std::vector<RowSetAside>& rows) {
+  Json array = Json::array();
+  for (const RowSetAside& row : rows) {
+    Json entry = {
+        {"row", row.row_idx + 1}, {"set", row.test ? "test" : "train"}, {"reason", row.reason}};
+    Set("size_m", row.size, &entry);
+    array.push_back(std::move(entry));
+  }
+  return array;
+}
+
 }  // namespace
 
 std::string ResultToJson(const Result& result) {
@@ -172,6 +209,8 @@ std::string ResultToJson(const Result& result) {
     root["baseline"]["base_and_tool_only"] = BaselineToJson(*result.base_and_tool_only);
   }
   if (!result.validation.method.empty()) root["validation"] = ValidationToJson(result.validation);
+  if (result.delivered) root["delivered"] = DeliveredToJson(*result.delivered);
+  root["rows_set_aside"] = SetAsideToJson(result.rows_set_aside);
   if (result.diagnosis) root["diagnosis"] = DiagnosisToJson(*result.diagnosis);
   root["notes"] = result.notes;
   // A file name need not be UTF-8; a replaced character is better than no result.

@@ -1,4 +1,4 @@
-#include "problems/diagnosis/rows/without_rows.h"
+#include "problems/without_rows.h"
 
 #include <map>
 

@@ -1,6 +1,6 @@
 // The readings that remain when rows of a recording are set aside.
-#ifndef DHCAL_PROBLEMS_DIAGNOSIS_ROWS_WITHOUT_ROWS_H_
-#define DHCAL_PROBLEMS_DIAGNOSIS_ROWS_WITHOUT_ROWS_H_
+#ifndef DHCAL_PROBLEMS_WITHOUT_ROWS_H_
+#define DHCAL_PROBLEMS_WITHOUT_ROWS_H_
 
 #include <set>
 #include <vector>
@@ -18,4 +18,4 @@ std::vector<Reading> WithoutRows(const Calibration& calibration,
 
 }  // namespace dhcal
 
-#endif  // DHCAL_PROBLEMS_DIAGNOSIS_ROWS_WITHOUT_ROWS_H_
+#endif  // DHCAL_PROBLEMS_WITHOUT_ROWS_H_

@@ -1,0 +1,59 @@
+#include "problems/diagnosis/calibrate.h"
+
+#include <exception>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "problems/diagnosis/deliver.h"
+#include "problems/diagnosis/diagnose.h"
+#include "problems/diagnosis/rows/oddities.h"
+#include "problems/identify.h"
+#include "problems/judgement.h"
+
+namespace dhcal {
+namespace {
+
+Recording WithSetAside(const Recording& recording, const std::vector<int>& rows) {
+  Recording marked = recording;
+  marked.set_aside.assign(static_cast<std::size_t>(recording.num_rows()), false);
+  for (const int row : rows) marked.set_aside[static_cast<std::size_t>(row)] = true;
+  return marked;
+}
+
+/// The problem's own fit once more, without the rows that the diagnosis found misread.
+void FitAgain(const ProblemSpec& spec,
+              const Recording& marked,
+              const Progress& progress,
+              Result* result) {
+  Result again = IdentifyGeometry(spec, marked, progress);
+  if (again.best() == nullptr) return;
+  again.diagnosis = std::move(result->diagnosis);
+  *result = std::move(again);
+}
+
+}  // namespace
+
+Result Calibrate(const ProblemSpec& spec, const Recording& recording, const Progress& progress) {
+  Result result = IdentifyGeometry(spec, recording, progress);
+  if (!WantsDiagnosis(spec, result)) return result;
+  result.diagnosis = Guarded([&] { return Diagnose(spec, recording, result, progress); });
+  try {
+    const std::vector<int> rows = result.diagnosis->misfit.outlier_rows;
+    const Recording marked = rows.empty() ? Recording() : WithSetAside(recording, rows);
+    const Recording& used = rows.empty() ? recording : marked;
+    if (!rows.empty()) FitAgain(spec, used, progress, &result);
+    Deliver(spec, used, progress, &result);
+    result.rows_set_aside = DescribeSetAside(recording, rows, &result.residuals);
+  } catch (const std::exception& error) {
+    result.delivered.reset();
+    result.notes.push_back(fmt::format(
+        "Fitting geometry and effects together broke down ({}); calibrated.yaml holds the rigid "
+        "robot.",
+        error.what()));
+  }
+  result.intervals = JudgeIntervals(result);
+  return result;
+}
+
+}  // namespace dhcal

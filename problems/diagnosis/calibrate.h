@@ -1,0 +1,19 @@
+// A whole run: geometry as the problem file asks, diagnosis, rows that are misread taken out of
+// both, and the model that the diagnosis announces.
+#ifndef DHCAL_PROBLEMS_DIAGNOSIS_CALIBRATE_H_
+#define DHCAL_PROBLEMS_DIAGNOSIS_CALIBRATE_H_
+
+#include "core/model/problem_spec.h"
+#include "core/model/recording.h"
+#include "core/model/result.h"
+#include "problems/fit.h"
+
+namespace dhcal {
+
+/// The inputs have been checked. A fault of the diagnosis, or of what follows it, keeps the
+/// calibration, and the result says so.
+Result Calibrate(const ProblemSpec& spec, const Recording& recording, const Progress& progress);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_DIAGNOSIS_CALIBRATE_H_
