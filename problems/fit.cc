@@ -88,12 +88,16 @@ Fit RunBentFit(SolverMethod method,
                const SolverOptions& options,
                const Noise& initial_noise,
                const Progress& progress,
+               const Eigen::VectorXd& start,
                Calibration* c) {
-  if (c->effects.empty()) return RunFit(*c, method, options, initial_noise, progress);
-  // What is held bends the arm already; what is estimated starts where its request says.
-  Eigen::VectorXd start = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(c->parameters.size()));
-  c->Bend(start);
-  Fit fit = RunFit(*c, method, options, initial_noise, progress);
+  if (c->effects.empty()) return RunFit(*c, method, options, initial_noise, progress, start);
+  // What is held bends the arm already.
+  const bool near = start.size() > 0;
+  const Eigen::VectorXd nominal =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(c->parameters.size()));
+  for (int turn = 0; turn < kBends; ++turn) c->Bend(near ? start : nominal);
+  Fit fit = RunFit(*c, method, options, initial_noise, progress, start);
+  if (near || c->effect_columns.empty()) return fit;
   // The arm of the second turn differs from the third's by the square of what bends it.
   for (int turn = 0; turn < kBends && fit.summary.IsSolutionUsable(); ++turn) {
     const Fit before = fit;

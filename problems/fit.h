@@ -41,11 +41,13 @@ Fit RunFit(const Calibration& calibration,
            const Eigen::VectorXd& start = {});
 
 /// The same for a calibration with effects: they load the arm that the fit finds, so it is fitted
-/// again on that arm, and the calibration keeps it. Without effects RunFit alone.
+/// again on that arm, and the calibration keeps it. Without effects RunFit alone. `start` (may be
+/// empty): a state near the solution, whose arm is good enough.
 Fit RunBentFit(SolverMethod method,
                const SolverOptions& options,
                const Noise& initial_noise,
                const Progress& progress,
+               const Eigen::VectorXd& start,
                Calibration* calibration);
 
 }  // namespace dhcal

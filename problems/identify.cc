@@ -165,7 +165,7 @@ Result IdentifyGeometry(const ProblemSpec& spec,
     const SolverOptions options = OptionsOf(spec.solver);
     // The second solver is compared on the arm that the first has found.
     fits.push_back(known ? RunFit(c, method, options, start, progress)
-                         : RunBentFit(method, options, start, progress, &c));
+                         : RunBentFit(method, options, start, progress, {}, &c));
   }
   DescribeFits(c, fits, &result);
   AddNotes(c, fits, &result);

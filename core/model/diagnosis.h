@@ -4,6 +4,7 @@
 #define DHCAL_CORE_MODEL_DIAGNOSIS_H_
 
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -144,13 +145,17 @@ struct DiagnosisResult {
   /// All physics found, every line of a gear by itself, with the values of the fit: what a fit of
   /// other rows can hold.
   std::vector<EffectRequest> model;
-  /// Masses of the links as the joint fit has them; empty without effects that rest on them.
+  /// Corrections of the joint fit's geometry [rad or m] by the parameters' names, from where base
+  /// and tool were aligned: where a fit of the same may start.
+  std::map<std::string, double> geometry;
+  /// Masses of the links as the joint fit has them, where those stated leave clearly more.
   std::vector<LinkMass> links;
   std::vector<MovedParameter> moved;
   std::optional<Unexplained> unexplained;
   std::vector<HiddenRisk> hidden;
   std::vector<NotTestable> not_testable;
   std::vector<std::string> notes;
+  bool averaged = false;  // repeated readings were put together: RMS are those of their means
   std::string validation_method;
   double rms_train_before = kUnknown, rms_train_after = kUnknown;  // [m] complete geometry; + all
   double rms_test_before = kUnknown, rms_test_after = kUnknown;

@@ -4,8 +4,8 @@
 //
 // An effect is linear in its parameters: what is not (an order, a time constant, an instant) is a
 // setting, so that zero parameters are exactly no effect and the derivative at zero is not
-// degenerate. The weights depend on the recording and on the nominal robot only; the difference to
-// weights at the calibrated robot is of second order (a thousandth of the effect).
+// degenerate. The weights depend on the recording and on the robot as the context has it: nominal,
+// or as a fit found it. The difference is of second order (a thousandth of the effect).
 // Source of the effects and their sizes: core/physics/PHYSICS.md.
 #ifndef DHCAL_CORE_PHYSICS_EFFECT_H_
 #define DHCAL_CORE_PHYSICS_EFFECT_H_

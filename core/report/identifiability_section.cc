@@ -1,6 +1,7 @@
 // What the readings cannot tell, in the names of the parameters.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,22 @@ std::string DirectionText(const NullDirection& null_direction) {
   return total > terms.size() ? text + " " + AndMore(total - terms.size()) : text;
 }
 
+/// True if a direction is a matter of curves' values only.
+bool InCurvesOnly(const NullDirection& direction) {
+  return std::all_of(direction.direction.begin(),
+                     direction.direction.end(),
+                     [](const NullDirection::Entry& e) { return !CurveOf(e.name).empty(); });
+}
+
+/// Of curves' values: a curve is told as one thing.
+std::vector<NullDirection> WithoutCurves(const std::vector<NullDirection>& all) {
+  std::vector<NullDirection> others;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(others), [](const NullDirection& d) {
+    return !InCurvesOnly(d);
+  });
+  return others;
+}
+
 List NullSpaceList(const std::vector<NullDirection>& null_space) {
   List list;
   list.kind = List::Kind::kNumbers;
@@ -79,14 +96,15 @@ std::string ParameterText(const ParameterResult& parameter,
   return text + ": " + parameter.explanation;
 }
 
-List DoubtfulParameters(const FitResult& fit) {
+List DoubtfulParameters(const FitResult& fit, const std::vector<NullDirection>& null_space) {
   List list;
   list.kind = List::Kind::kBullets;
   list.title = "Parameters that cannot be trusted by themselves:";
   for (const ParameterResult& parameter : fit.parameters) {
     if (parameter.verdict == Verdict::kIdentified || parameter.verdict == Verdict::kFixed) continue;
+    if (!CurveOf(parameter.name).empty()) continue;
     if (list.items.size() < kMostParameters) {
-      list.items.push_back({ParameterText(parameter, fit.null_space), "", {}});
+      list.items.push_back({ParameterText(parameter, null_space), "", {}});
     } else {
       ++list.left_out;
     }
@@ -164,8 +182,9 @@ Section IdentifiabilitySection(const Result& result) {
   Section section{"WHAT THE READINGS CANNOT TELL", {}};
   const std::string rank = RankSentence(*fit);
   if (!rank.empty()) section.blocks.push_back(Paragraph{{rank}, ""});
+  const std::vector<NullDirection> null_space = WithoutCurves(fit->null_space);
   for (const List& list :
-       {NullSpaceList(fit->null_space), DoubtfulParameters(*fit), QualityNumbers(*fit)}) {
+       {NullSpaceList(null_space), DoubtfulParameters(*fit, null_space), QualityNumbers(*fit)}) {
     if (!list.items.empty()) section.blocks.push_back(list);
   }
   const Figure spectrum = SpectrumFigure(*fit);

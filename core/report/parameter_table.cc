@@ -1,5 +1,6 @@
 // The estimated parameters with what is known about their errors.
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -93,13 +94,22 @@ Table EffectTable(const FitResult& fit) {
                    {"+- sigma", "", kNumberWidth + 1},
                    {"unit", "", 20, Table::Align::kLeft},
                    {"verdict", "", 12, Table::Align::kLeft}};
+  std::map<std::string, int> values_of_curve;
   for (const ParameterResult& parameter : fit.parameters) {
     if (parameter.unit != Unit::kOther) continue;
+    const std::string curve = CurveOf(parameter.name);
+    if (!curve.empty()) {
+      ++values_of_curve[curve];
+      continue;
+    }
     table.AddRow({parameter.name,
                   Scientific(parameter.value, 3),
                   Scientific(parameter.sigma, 1),
                   parameter.unit_text,
                   ToString(parameter.verdict)});
+  }
+  for (const auto& [curve, count] : values_of_curve) {
+    table.AddRow({curve, "-", "-", fmt::format("curve of {} values", count), "-"});
   }
   return table;
 }
@@ -156,6 +166,15 @@ std::string DeliveredWords(const DeliveredModel& model) {
 }
 
 }  // namespace
+
+std::string CurveOf(const std::string& parameter) {
+  // "tool_z.at_home" is no such value: its run is not a number.
+  const std::size_t at = parameter.find(".at_");
+  const std::size_t number = at + 4;
+  if (at == std::string::npos || number >= parameter.size()) return "";
+  const bool is_number = parameter.find_first_not_of("-.0123456789", number) == std::string::npos;
+  return is_number ? parameter.substr(0, at) : "";
+}
 
 Section ParameterSection(const Result& result) {
   const FitResult* const fit = result.delivered_fit();

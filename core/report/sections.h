@@ -25,10 +25,10 @@ Section NoOutcomeSection(const Result& result);
 /// How each solver ended, and its iterations.
 Section SolverSection(const Result& result);
 
-/// The estimated parameters of the best fit.
+/// The estimated parameters of the model that is delivered.
 Section ParameterSection(const Result& result);
 
-/// What the readings of the best fit cannot tell.
+/// What the readings cannot tell of the model that is delivered.
 Section IdentifiabilitySection(const Result& result);
 
 /// Differences of the two solvers, those that no reading can see apart.
@@ -45,6 +45,10 @@ Section DiagnosisSection(const ProblemSpec& spec, const Result& result);
 
 /// What else a reader should know.
 Section NotesSection(const Result& result);
+
+/// "transmission_error.5" of a value of a curve, "transmission_error.5.at_-27"; else "". A curve is
+/// told as one thing: its values mean nothing each by itself.
+std::string CurveOf(const std::string& parameter);
 
 /// "SVD Gauss-Newton", "Levenberg-Marquardt".
 std::string SolverName(SolverMethod method);

@@ -1,12 +1,15 @@
 #include "problems/diagnosis/calibrate.h"
 
 #include <exception>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "problems/diagnosis/deliver.h"
 #include "problems/diagnosis/diagnose.h"
+#include "problems/diagnosis/remarks.h"
 #include "problems/diagnosis/rows/oddities.h"
 #include "problems/identify.h"
 #include "problems/judgement.h"
@@ -32,19 +35,18 @@ void FitAgain(const ProblemSpec& spec,
   *result = std::move(again);
 }
 
-}  // namespace
-
-Result Calibrate(const ProblemSpec& spec, const Recording& recording, const Progress& progress) {
+Result WithDiagnosis(const ProblemSpec& spec,
+                     const Recording& recording,
+                     const Progress& progress) {
   Result result = IdentifyGeometry(spec, recording, progress);
   if (!WantsDiagnosis(spec, result)) return result;
   result.diagnosis = Guarded([&] { return Diagnose(spec, recording, result, progress); });
+  const std::vector<int> rows = result.diagnosis->misfit.outlier_rows;
+  const Recording marked = rows.empty() ? Recording() : WithSetAside(recording, rows);
+  const Recording& used = rows.empty() ? recording : marked;
+  if (!rows.empty()) FitAgain(spec, used, progress, &result);
   try {
-    const std::vector<int> rows = result.diagnosis->misfit.outlier_rows;
-    const Recording marked = rows.empty() ? Recording() : WithSetAside(recording, rows);
-    const Recording& used = rows.empty() ? recording : marked;
-    if (!rows.empty()) FitAgain(spec, used, progress, &result);
     Deliver(spec, used, progress, &result);
-    result.rows_set_aside = DescribeSetAside(recording, rows, &result.residuals);
   } catch (const std::exception& error) {
     result.delivered.reset();
     result.notes.push_back(fmt::format(
@@ -52,7 +54,18 @@ Result Calibrate(const ProblemSpec& spec, const Recording& recording, const Prog
         "robot.",
         error.what()));
   }
+  result.rows_set_aside = DescribeSetAside(recording, rows, &result.residuals);
   result.intervals = JudgeIntervals(result);
+  return result;
+}
+
+}  // namespace
+
+Result Calibrate(const ProblemSpec& spec, const Recording& recording, const Progress& progress) {
+  Result result = WithDiagnosis(spec, recording, progress);
+  for (std::string& remark : Remarks(spec, recording, result)) {
+    result.notes.push_back(std::move(remark));
+  }
   return result;
 }
 

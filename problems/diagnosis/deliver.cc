@@ -21,19 +21,47 @@ namespace dhcal {
 namespace {
 
 // The diagnosis' fit has priors and this one truncates: what the two leave differs by less.
-constexpr double kReached = 1.02;
 constexpr double kMissed = 1.1;
 
+/// Frames as the diagnosis aligned them: by the user's file, whatever was found missing in it.
+Frames AlignedFrames(const ProblemSpec& user, const Recording& recording) {
+  ProblemSpec spec = user;
+  spec.parameters.effects.clear();
+  Calibration c(spec, recording);
+  AlignStart(&c);
+  FitFramesAlone(&c, {});
+  return c.frames;
+}
+
 /// A fit that owns what it refers to.
-struct OwnFit {
-  OwnFit(const ProblemSpec& problem, const Recording& recording, const Progress& progress)
+class OwnFit {
+ public:
+  /// `d` (may be null): whose joint fit it starts from.
+  OwnFit(const ProblemSpec& user,
+         const ProblemSpec& problem,
+         const Recording& recording,
+         const DiagnosisResult* d,
+         const Progress& progress)
       : spec(problem), calibration(spec, recording) {
-    AlignStart(&calibration);
-    FitFramesAlone(&calibration, progress);
+    Eigen::VectorXd start;
+    const bool same_frames = problem.robot.base_per_run == user.robot.base_per_run &&
+                             problem.robot.tool_per_run == user.robot.tool_per_run;
+    if (d != nullptr && same_frames) {
+      calibration.frames = AlignedFrames(user, recording);
+      calibration.UpdateEffects();
+      start = StartAt(*d);
+    } else {
+      AlignStart(&calibration);
+      FitFramesAlone(&calibration, progress);
+    }
+    Noise noise = InitialNoise(calibration);
+    const bool known = start.size() > 0 && !SourceOfNoise(calibration).sigma_given;
+    if (known) noise.sigma = d->misfit.noise_sigma;
     fit = RunBentFit(SolverMethod::kSvdGaussNewton,
                      OptionsOf(spec.solver),
-                     InitialNoise(calibration),
+                     noise,
                      progress,
+                     start,
                      &calibration);
   }
   OwnFit(const OwnFit&) = delete;
@@ -41,14 +69,33 @@ struct OwnFit {
 
   bool usable() const { return fit.summary.IsSolutionUsable(); }
   RobotModel Robot() const { return CalibratedRobot(calibration, fit.summary.state); }
-  double Rms() const {
-    return usable() ? Statistics(calibration, fit.summary.state, calibration.readings.fitted).rms
-                    : kNotSet;
-  }
 
   ProblemSpec spec;
   Calibration calibration;
   Fit fit;
+
+ private:
+  /// The diagnosis' joint fit as a state of this calibration.
+  Eigen::VectorXd StartAt(const DiagnosisResult& d) const {
+    Eigen::VectorXd start =
+        Eigen::VectorXd::Zero(static_cast<Eigen::Index>(calibration.parameters.size()));
+    Eigen::Index next = 0;
+    for (const Parameter& p : calibration.parameters) {
+      const auto known = d.geometry.find(p.name);
+      if (known != d.geometry.end() && p.effect_column < 0) start[next] = known->second;
+      if (p.effect_column < 0) ++next;
+    }
+    const PhysicsContext context = calibration.Context();
+    for (const EffectRequest& effect : calibration.effects) {
+      if (effect.held) continue;
+      for (const EffectColumn& column : EffectColumns(context, effect)) {
+        const auto value = effect.values.find(column.parameter);
+        if (value != effect.values.end()) start[next] = value->second;
+        ++next;
+      }
+    }
+    return start;
+  }
 };
 
 /// The problem with the geometry that was found missing, its columns of any unit kept by the noise.
@@ -66,6 +113,26 @@ ProblemSpec WithGeometryFound(const ProblemSpec& user,
   }
   spec.solver.rule = TruncationRule::kNoise;
   return spec;
+}
+
+/// True for a frame that differs between runs, where the file estimates it: then every run has one
+/// of its own in the robot from here on, and no effect is needed.
+bool IsFrameOfRuns(const EffectRequest& effect, ProblemSpec* spec) {
+  const auto estimates = [&](const char* group) {
+    const std::vector<std::string>& names = spec->parameters.estimate;
+    const auto any_of = {std::string(group), std::string("complete")};
+    return std::find_first_of(names.begin(), names.end(), any_of.begin(), any_of.end()) !=
+           names.end();
+  };
+  if (effect.effect == "base_per_run" && estimates("base")) {
+    spec->robot.base_per_run = true;
+    return true;
+  }
+  if (effect.effect == "tool_per_run" && estimates("tool") && spec->robot.targets.empty()) {
+    spec->robot.tool_per_run = true;
+    return true;
+  }
+  return false;
 }
 
 std::vector<EffectRequest> HeldAt(const std::vector<EffectRequest>& effects,
@@ -88,31 +155,15 @@ std::vector<EffectRequest> HeldAt(const std::vector<EffectRequest>& effects,
   return held;
 }
 
-/// With the masses as stated; where the announced error cannot be reached so, with those that the
-/// diagnosis fitted.
-std::unique_ptr<OwnFit> FitFound(const ProblemSpec& spec,
-                                 const Recording& recording,
-                                 const Progress& progress,
-                                 Result* result) {
-  const DiagnosisResult& d = *result->diagnosis;
-  std::unique_ptr<OwnFit> as_stated;
-  if (d.links.empty() || !spec.robot.links.empty()) {
-    as_stated = std::make_unique<OwnFit>(spec, recording, progress);
-    if (d.links.empty() || as_stated->Rms() <= kReached * d.rms_train_after) return as_stated;
-  }
-  ProblemSpec with_masses = spec;
-  with_masses.robot.links = d.links;
-  auto adjusted = std::make_unique<OwnFit>(with_masses, recording, progress);
-  if (as_stated != nullptr && !(adjusted->Rms() < as_stated->Rms())) return as_stated;
+void AddNoteOnMasses(const ProblemSpec& user, Result* result) {
   result->notes.push_back(
-      as_stated == nullptr
+      user.robot.links.empty()
           ? "The masses of the links are not given; the delivered model has usual ones, fitted to "
             "the readings. They are no measurement of a mass."
           : "The delivered model has masses of the links that the fit moved within their usual "
             "uncertainty (robot.links of calibrated.yaml); the compliances under PARAMETERS are "
             "for "
             "these masses, those under LEFT-OUT PHYSICS for the masses as stated.");
-  return adjusted;
 }
 
 /// The third prediction of every row, and what it leaves.
@@ -141,8 +192,11 @@ void Deliver(const ProblemSpec& user,
   if (d.findings.empty() || result->best() == nullptr) return;
   const ProblemSpec rigid = WithGeometryFound(user, recording, d);
   ProblemSpec spec = rigid;
-  spec.parameters.effects.insert(spec.parameters.effects.end(), d.model.begin(), d.model.end());
-  const std::unique_ptr<OwnFit> own = FitFound(spec, recording, progress, result);
+  for (const EffectRequest& effect : d.model) {
+    if (!IsFrameOfRuns(effect, &spec)) spec.parameters.effects.push_back(effect);
+  }
+  if (!d.links.empty()) spec.robot.links = d.links;
+  const auto own = std::make_unique<OwnFit>(user, spec, recording, &d, progress);
   const std::optional<FitAnalysis> analysis =
       own->usable() ? Analyse(own->calibration, own->fit) : std::nullopt;
   if (!analysis) {
@@ -151,6 +205,7 @@ void Deliver(const ProblemSpec& user,
         "the rigid robot.");
     return;
   }
+  if (!d.links.empty()) AddNoteOnMasses(user, result);
   DeliveredModel model;
   const Eigen::VectorXd& state = own->fit.summary.state;
   model.fit = DescribeFit(own->calibration, own->fit, &*analysis);
@@ -158,11 +213,12 @@ void Deliver(const ProblemSpec& user,
   model.effects = HeldAt(own->spec.parameters.effects, own->calibration, state);
   model.validation = Validate(own->calibration, *analysis, *own->fit.problem);
   model.intervals = JudgeDelivered(d);
-  if (!d.model.empty()) {
+  if (own->spec.parameters.effects.size() > user.parameters.effects.size()) {
     const bool as_file_asks = rigid.parameters.estimate == user.parameters.estimate;
-    model.rigid = as_file_asks ? result->calibrated : OwnFit(rigid, recording, progress).Robot();
+    model.rigid = as_file_asks ? result->calibrated
+                               : OwnFit(user, rigid, recording, nullptr, progress).Robot();
   }
-  if (model.fit.rms > kMissed * d.rms_train_after) {
+  if (!d.averaged && model.fit.rms > kMissed * d.rms_train_after) {
     result->notes.push_back(fmt::format(
         "The delivered model leaves {:.3g} mm RMS per coordinate, the diagnosis' own fit {:.3g} "
         "mm: parts without a name and priors are in that only.",

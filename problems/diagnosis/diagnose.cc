@@ -47,6 +47,9 @@ MatrixXd DirectionsOf(const ProblemSpec& spec, const Recording& recording) {
   return direction;
 }
 
+// What stated masses leave, of what fitted ones do, before the fitted ones are delivered.
+constexpr double kClearlyMore = 1.02;
+
 /// Readings that are one draw together: several targets of one pose, or repeats that were too few
 /// to be put together. Coordinates of one point (distances to anchors) are not.
 double ReadingsPerPose(const Calibration& c) {
@@ -255,6 +258,7 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   d.false_alarm = spec.diagnosis.false_alarm;
   const DistinctRows distinct = PutRepeatsTogether(recorded, DirectionsOf(spec, recorded));
   const Recording& recording = distinct.recording;
+  d.averaged = distinct.averaged;
   if (distinct.averaged) {
     d.notes.push_back(
         fmt::format("Poses were read several times: {} rows are {} draws, and were put together.",
@@ -276,8 +280,9 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   outcome.fit = FitJointly(model, outcome.fit.state, choice, outcome.free, kFarSteps);
   outcome.rule = loop.RuleAt(outcome.fit, outcome.free.size(), outcome.rule.names);
   const JointRows before = FitJointly(model, model.Start(), choice, outcome.free, kFarSteps);
-  const UnseenRows unseen_before(model, before, choice, loop.GoodReadings(true));
+  UnseenRows unseen_before(model, before, choice, loop.GoodReadings(true));
   const UnseenRows unseen(model, outcome.fit, choice, loop.GoodReadings(true));
+  unseen_before.AnnounceAs(unseen);
   d.rms_train_before = unseen_before.FittedRms({});
   // What is announced is what has names.
   const std::vector<int> cells = CellMembers(outcome.fit.state.members);
@@ -319,7 +324,14 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   }
   AddConfusables(model, outcome, &d);
   d.model = ModelOf(outcome, certainties);
-  if (!outcome.fit.state.masses.isZero(0)) d.links = outcome.fit.robot->links;
+  if (!model.masses_given() ? !outcome.fit.mass_idx.empty()
+                            : unseen.RmsOfStatedMasses(cells) > kClearlyMore * d.rms_train_after) {
+    d.links = outcome.fit.robot->links;
+  }
+  for (const int unknown : outcome.free) {
+    const Parameter& p = model.calibration().parameters[static_cast<std::size_t>(unknown)];
+    d.geometry[p.name] = outcome.fit.state.geometry[unknown];
+  }
   if (!groups.empty()) {
     d.moved = MovedByPhysics(model, outcome, certainties, before.state.geometry);
   }

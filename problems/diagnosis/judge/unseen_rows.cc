@@ -23,6 +23,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kFoldsOfAWay = 5;
+// A way that leaves so many times what another leaves asks for what its rows cannot know.
+constexpr double kCannotKnow = 1.5;
 constexpr std::uint64_t kRandomFolds = 11;
 
 /// Blocks of consecutive rows.
@@ -71,6 +73,7 @@ UnseenRows::UnseenRows(const JointModel& model,
     : coordinates_(joint.rows->coordinates()),
       num_free_(static_cast<int>(joint.free.size())),
       mass_idx_(joint.mass_idx),
+      mass_value_(joint.state.masses(joint.mass_idx)),
       row_of_(joint.rows->now_row()) {
   int first = num_free_;
   for (const Member& member : joint.state.members) {
@@ -93,7 +96,6 @@ UnseenRows::UnseenRows(const JointModel& model,
   all_.b = white_.A.transpose() * white_.y + priors.transpose() * held;
   const Calibration& c = model.calibration();
   if (!test.empty()) {
-    method_ = "set column";
     RowChoice of_test = choice;
     of_test.readings = test;
     test_white_ = RowsOf(model, model.At(joint.state, of_test, joint.free));
@@ -101,21 +103,31 @@ UnseenRows::UnseenRows(const JointModel& model,
     test_raw_ = RowsOf(model, model.At(joint.state, of_test, joint.free));
     Way way;
     way.test = true;
+    way.method = "set column";
     way.parts.push_back(all_);
     way.parts.back().predicted.resize(static_cast<std::size_t>(test_white_.y.size()));
     std::iota(way.parts.back().predicted.begin(), way.parts.back().predicted.end(), 0);
     ways_.push_back(std::move(way));
     return;
   }
-  method_ = "blocks of rows left out in turn";
-  AddWay(ConsecutiveFolds(c.recording.num_rows()), kFoldsOfAWay);
-  AddWay(RandomFolds(c.recording.num_rows()), kFoldsOfAWay);
+  AddWay("blocks of rows left out in turn", ConsecutiveFolds(c.recording.num_rows()), kFoldsOfAWay);
+  AddWay("rows left out at random", RandomFolds(c.recording.num_rows()), kFoldsOfAWay);
   const Folds regions = MakeFolds(c);
-  AddWay(regions.of_row, regions.count);
+  AddWay("regions of poses left out in turn", regions.of_row, regions.count);
+  ChooseAnnounced();
 }
 
-void UnseenRows::AddWay(const std::vector<int>& fold_of_row, int folds) {
+void UnseenRows::ChooseAnnounced() {
+  std::vector<double> rms;
+  rms.reserve(ways_.size());
+  for (const Way& way : ways_) rms.push_back(RmsOfWay(way, {}));
+  const double least = *std::min_element(rms.begin(), rms.end());
+  while (announced_ + 1 < rms.size() && rms[announced_] > kCannotKnow * least) ++announced_;
+}
+
+void UnseenRows::AddWay(const std::string& method, const std::vector<int>& fold_of_row, int folds) {
   Way way;
+  way.method = method;
   for (int fold = 0; fold < folds; ++fold) {
     Part part;
     for (std::size_t k = 0; k < row_of_.size(); ++k) {
@@ -192,8 +204,25 @@ double UnseenRows::FittedRms(const std::vector<int>& dropped) const {
   return RmsOfLengths(raw_.y - raw_.A * Solve(all_, Kept(dropped)), coordinates_);
 }
 
+double UnseenRows::RmsOfStatedMasses(const std::vector<int>& dropped) const {
+  std::vector<int> kept = Kept(dropped);
+  const Index first_mass = all_.b.size() - mass_value_.size();
+  kept.erase(std::lower_bound(kept.begin(), kept.end(), first_mass), kept.end());
+  // The rows are linear at the fitted masses: those stated are a step back from there.
+  VectorXd step = VectorXd::Zero(all_.b.size());
+  step.tail(mass_value_.size()) = -mass_value_;
+  Part stated;
+  stated.H = all_.H;
+  stated.b = all_.b - all_.H * step;
+  return RmsOfLengths(raw_.y - raw_.A * (step + Solve(stated, kept)), coordinates_);
+}
+
+double UnseenRows::RmsOfWay(const Way& way, const std::vector<int>& dropped) const {
+  return RmsOfLengths(Residuals(way, dropped, true), coordinates_);
+}
+
 double UnseenRows::UnseenRms(const std::vector<int>& dropped) const {
-  return RmsOfLengths(Residuals(ways_.front(), dropped, true), coordinates_);
+  return RmsOfWay(ways_[announced_], dropped);
 }
 
 UnseenRows::Gain UnseenRows::GainOf(const std::vector<int>& group, int way) const {

@@ -22,12 +22,17 @@ class UnseenRows {
              const std::vector<Reading>& test);
 
   /// "set column", or how rows were left out.
-  const std::string& method() const { return method_; }
+  const std::string& method() const { return ways_[announced_].method; }
+  /// Figures by the same way as those of another model of the same rows.
+  void AnnounceAs(const UnseenRows& other) { announced_ = other.announced_; }
   int num_ways() const { return static_cast<int>(ways_.size()); }
 
-  /// RMS of a coordinate [m], raw: of the fitted rows, and of rows not fitted (the first way).
+  /// RMS of a coordinate [m], raw: of the fitted rows, and of rows not fitted, by the first
+  /// way that does not ask for what its rows cannot know (the instant of a step, say).
   /// `dropped`: members (positions) that the model may not use.
   double FittedRms(const std::vector<int>& dropped) const;
+  /// Of the fitted rows, with the masses as they are stated.
+  double RmsOfStatedMasses(const std::vector<int>& dropped) const;
   double UnseenRms(const std::vector<int>& dropped) const;
 
   /// What the members of a group gain on unseen rows: half the sum over readings of the bounded
@@ -51,10 +56,13 @@ class UnseenRows {
   };
   struct Way {
     std::vector<Part> parts;
+    std::string method;
     bool test = false;
   };
   Rows RowsOf(const JointModel& model, const JointRows& joint) const;
-  void AddWay(const std::vector<int>& fold_of_row, int folds);
+  void AddWay(const std::string& method, const std::vector<int>& fold_of_row, int folds);
+  void ChooseAnnounced();
+  double RmsOfWay(const Way& way, const std::vector<int>& dropped) const;
   std::vector<int> Kept(const std::vector<int>& dropped) const;
   Eigen::VectorXd Solve(const Part& part, const std::vector<int>& kept) const;
   /// Residuals of the rows that a way predicts.
@@ -66,11 +74,12 @@ class UnseenRows {
   std::vector<int> size_;
   std::vector<bool> elastic_;
   std::vector<int> mass_idx_;
+  Eigen::VectorXd mass_value_;  // at the fit, in units of the masses' priors
   std::vector<int> row_of_;  // recording row of each fitted row
   Rows white_, raw_, test_white_, test_raw_;
   Part all_;
   std::vector<Way> ways_;
-  std::string method_;
+  std::size_t announced_ = 0;  // way
 };
 
 }  // namespace dhcal

@@ -13,14 +13,16 @@
 namespace dhcal {
 namespace {
 
+constexpr double kFarApart = 0.5;      // of how far the row lies off
 constexpr double kSameReading = 1e-9;  // [m]
-constexpr double kRoundLength = 1e-3;  // [m] a slip of the fixture is a whole number of these ...
-constexpr double kNearlyRound = 0.03;  // ... to this part
+constexpr double kRoundLength = 5e-3;  // [m] a slip of the fixture is a whole number of these ...
+constexpr double kNearlyRound = 0.02;  // ... to this part
 
-/// What was read of a row, as one vector; empty where nothing was.
+/// What was read of a row, as one vector; empty where nothing was, or a displacement, which says
+/// little by itself.
 Eigen::VectorXd ReadingOf(const Recording& r, int row) {
+  if (r.displacement.rows() > 0) return {};
   if (r.p_WQ.rows() > 0) return r.p_WQ.row(row);
-  if (r.displacement.rows() > 0) return r.displacement.row(row);
   if (r.distance.size() > 0) return r.distance.segment<1>(row);
   return {};
 }
@@ -31,7 +33,8 @@ int RowBefore(const Recording& r, int row) {
     const bool same_anchor =
         r.anchor_idx.empty() || r.anchor_idx[static_cast<std::size_t>(row)] ==
                                     r.anchor_idx[static_cast<std::size_t>(before)];
-    if (same_anchor && r.target(before) == r.target(row)) return before;
+    const bool same_run = r.run(before) == r.run(row);
+    if (same_run && same_anchor && r.target(before) == r.target(row)) return before;
   }
   return -1;
 }
@@ -50,7 +53,8 @@ std::string Oddity(const Recording& r, const std::vector<int>& poses, int row, d
       return fmt::format("its reading repeats that of row {}, though the joints have moved",
                          before + 1);
     }
-    if (!same_reading && pose(before) == pose(row)) {
+    const bool differs = reading.size() > 0 && (reading - other).norm() > kFarApart * size;
+    if (differs && pose(before) == pose(row)) {
       return fmt::format("its joint coordinates repeat those of row {}, though the reading differs",
                          before + 1);
     }
@@ -60,7 +64,7 @@ std::string Oddity(const Recording& r, const std::vector<int>& poses, int row, d
       std::round(lengths) >= 1) {
     return fmt::format("it lies a round length off, {:.1f} mm", size / kMillimetre);
   }
-  return std::isnan(size) ? "it lies far off" : "it lies far off, with nothing odd about it";
+  return std::isnan(size) ? "it lies far off" : "it lies far off; nothing else about it is odd";
 }
 
 }  // namespace

@@ -95,6 +95,7 @@ YAML::Node FrameNode(const Eigen::Isometry3d& X,
   YAML::Node node = Without({"xyz", "rpy", "runs"}, old);
   SetPose(X, &node);
   if (frames_of_runs.empty()) return node;
+  node["per_run"] = "true";
   YAML::Node runs(YAML::NodeType::Map);
   for (const RunFrame& frame : frames_of_runs) {
     YAML::Node run = FlowMap();

@@ -210,7 +210,7 @@ std::string ResultToJson(const Result& result) {
   }
   if (!result.validation.method.empty()) root["validation"] = ValidationToJson(result.validation);
   if (result.delivered) root["delivered"] = DeliveredToJson(*result.delivered);
-  root["rows_set_aside"] = SetAsideToJson(result.rows_set_aside);
+  if (result.diagnosis) root["rows_set_aside"] = SetAsideToJson(result.rows_set_aside);
   if (result.diagnosis) root["diagnosis"] = DiagnosisToJson(*result.diagnosis);
   root["notes"] = result.notes;
   // A file name need not be UTF-8; a replaced character is better than no result.

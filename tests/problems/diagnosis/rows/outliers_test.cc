@@ -11,7 +11,7 @@
 namespace dhcal {
 namespace {
 
-ReadingResiduals Noise(int fitted, int test, std::uint64_t seed) {
+ReadingResiduals NoiseOnly(int fitted, int test, std::uint64_t seed) {
   Rng rng(seed);
   ReadingResiduals residuals;
   residuals.fitted = RandomMatrix(3 * fitted, 1, &rng);
@@ -22,13 +22,13 @@ ReadingResiduals Noise(int fitted, int test, std::uint64_t seed) {
 TEST(FindOutliers, NoneInNoise) {
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    found += FindOutliers(Noise(300, 60, seed), true).count();
+    found += FindOutliers(NoiseOnly(300, 60, seed), true).count();
   }
   EXPECT_LE(found, 1);
 }
 
 TEST(FindOutliers, AFifthOfBadRowsIsFound) {
-  ReadingResiduals residuals = Noise(300, 50, 1);
+  ReadingResiduals residuals = NoiseOnly(300, 50, 1);
   for (int k = 0; k < 55; ++k) residuals.fitted[15 * k + 1] += 12;
   residuals.test[0] = 12;
   const Outliers outliers = FindOutliers(residuals, true);
@@ -40,11 +40,11 @@ TEST(FindOutliers, AFifthOfBadRowsIsFound) {
 }
 
 TEST(FindOutliers, AMisfitWidensTheLimitAndAGoodFitDoesNotNarrowIt) {
-  ReadingResiduals wide = Noise(200, 0, 2);
+  ReadingResiduals wide = NoiseOnly(200, 0, 2);
   wide.fitted *= 5;
   EXPECT_EQ(FindOutliers(wide, true).count(), 0);
   EXPECT_NEAR(FindOutliers(wide, true).scale, 5, 0.5);
-  ReadingResiduals narrow = Noise(200, 0, 2);
+  ReadingResiduals narrow = NoiseOnly(200, 0, 2);
   narrow.fitted *= 0.2;
   narrow.fitted[0] = 3;
   EXPECT_FALSE(FindOutliers(narrow, true).fitted[0]) << "within the stated noise";
@@ -52,7 +52,7 @@ TEST(FindOutliers, AMisfitWidensTheLimitAndAGoodFitDoesNotNarrowIt) {
 }
 
 TEST(FindOutliers, AtMostAShareIsSetAside) {
-  ReadingResiduals residuals = Noise(100, 0, 3);
+  ReadingResiduals residuals = NoiseOnly(100, 0, 3);
   for (int k = 0; k < 45; ++k) residuals.fitted[3 * k] += 50 + k;
   const Outliers outliers = FindOutliers(residuals, true);
   EXPECT_LE(outliers.count(), 20);
@@ -60,7 +60,7 @@ TEST(FindOutliers, AtMostAShareIsSetAside) {
 }
 
 TEST(FindOutliers, LeverageCountsForARowThatPullsTheFit) {
-  ReadingResiduals residuals = Noise(100, 0, 4);
+  ReadingResiduals residuals = NoiseOnly(100, 0, 4);
   residuals.fitted.segment<3>(30).setConstant(2.2);
   EXPECT_FALSE(FindOutliers(residuals, true).fitted[10]);
   residuals.leverage = Eigen::VectorXd::Zero(100);

@@ -15,6 +15,7 @@
 #include "problems/formats/result/result_writer.h"
 #include "tests/support/comma_locale.h"
 #include "tests/support/temp_folder.h"
+#include "tools/study/scenarios.h"
 
 namespace dhcal {
 namespace {
@@ -76,6 +77,19 @@ parameters:
     - {effect: joint_coupling, joint: 3}
     - {effect: joint_gain, joint: 1, values: {gain: 5e-4}}
     - {effect: gear_harmonic, joint: 2, order: 2}
+)";
+
+constexpr char kLinks[] = R"(schema: 1
+name: masses
+robot:
+  joints:
+    - {d_m: 0.5, a_m: 0.3, alpha_deg: 90}
+    - {a_m: 0.4}
+  links:
+    - {mass_kg: 60, com_m: [-0.2, 0.1, 0]}
+    - {mass_kg: 40.0, com_mm: [-300, 0, 50]}
+measurement: {kind: position}
+recording: day.csv
 )";
 
 Recording EffectRows() {
@@ -283,6 +297,86 @@ TEST(CalibratedYaml, LeavesEffectsToBeEstimatedWhereNothingElseIs) {
   ASSERT_EQ(read.parameters.effects.size(), 4u);
   EXPECT_FALSE(read.parameters.effects[0].held);
   EXPECT_TRUE(read.parameters.effects[2].held);
+}
+
+TEST(CalibratedYaml, AppendsEffectsThatTheFileDoesNotHave) {
+  const TempFolder folder;
+  const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kEffects);
+  std::vector<EffectRequest> effects = EffectsAsFound(spec, EffectRows(), EffectsFound());
+  effects.push_back(Request("joint_compliance", 2, {{"compliance", 3.0123456789012e-6}}));
+  effects.push_back(Request(
+      "gear_harmonic", 1, {{"sin_17.25", 1e-4}, {"cos_17.25", -2.5e-5}}, {{"order", 17.25}}));
+  effects.push_back(Request("tool_step", 0, {{"x", 1e-4}}, {{"at_row", 3}}));
+  for (EffectRequest& effect : effects) effect.held = true;
+  const std::string text = CalibratedYaml(spec, spec.robot, effects, "day.csv");
+  EXPECT_THAT(text, HasSubstr("{effect: tool_step, at_row: 3, values: {x: "));
+  const ProblemSpec read = ReadFrom(folder, "calibrated.yaml", text);
+  EXPECT_EQ(read.parameters.estimate, spec.parameters.estimate);
+  ASSERT_EQ(read.parameters.effects.size(), effects.size());
+  for (std::size_t k = 0; k < effects.size(); ++k) {
+    EXPECT_TRUE(read.parameters.effects[k].held) << k;
+    EXPECT_TRUE(read.parameters.effects[k].SameAs(effects[k])) << k;
+    EXPECT_EQ(read.parameters.effects[k].values, effects[k].values) << k;
+  }
+}
+
+TEST(CalibratedYaml, AppendsEffectsToAFileWithoutAny) {
+  const TempFolder folder;
+  EffectRequest found = Request("joint_compliance", 2, {{"compliance", 3e-6}});
+  found.held = true;
+  for (const char* const parameters : {"", "parameters: {estimate: [theta]}\n"}) {
+    const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kLinks + std::string(parameters));
+    const std::string text = CalibratedYaml(spec, spec.robot, {found}, "day.csv");
+    const ProblemSpec read = ReadFrom(folder, "calibrated.yaml", text);
+    EXPECT_EQ(read.parameters.estimate, spec.parameters.estimate);
+    ASSERT_EQ(read.parameters.effects.size(), 1u) << text;
+    EXPECT_TRUE(read.parameters.effects[0].held && read.parameters.effects[0].SameAs(found));
+    EXPECT_EQ(read.parameters.effects[0].values, found.values);
+  }
+}
+
+TEST(CalibratedYaml, WritesMassesOnlyWhereTheyHaveChanged) {
+  const TempFolder folder;
+  const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kLinks);
+  const std::string unchanged = CalibratedYaml(spec, spec.robot, {}, "day.csv");
+  EXPECT_THAT(unchanged, AllOf(HasSubstr("mass_kg: 40.0"), HasSubstr("com_mm: [-300, 0, 50]")));
+  RobotModel robot = spec.robot;
+  robot.links[1] = {37.123456789012345, {-0.31, 1.0 / 3, 0.05}};
+  const std::string changed = CalibratedYaml(spec, robot, {}, "day.csv");
+  EXPECT_THAT(changed, Not(HasSubstr("com_mm")));
+  const ProblemSpec read = ReadFrom(folder, "calibrated.yaml", changed);
+  ASSERT_EQ(read.robot.links.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(read.robot.links[i].mass, robot.links[i].mass);
+    EXPECT_EQ(read.robot.links[i].p_LC, robot.links[i].p_LC);
+  }
+}
+
+TEST(CalibratedYaml, WritesMassesThatTheFileDoesNotHave) {
+  const TempFolder folder;
+  const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kTargets);
+  EXPECT_THAT(CalibratedYaml(spec, spec.robot, {}, "day.csv"), Not(HasSubstr("links")));
+  RobotModel robot = spec.robot;
+  robot.links = {{50, {-0.2, 0.1, 0}}};
+  const std::string text = CalibratedYaml(spec, robot, {}, "day.csv");
+  const ProblemSpec read = ReadFrom(folder, "calibrated.yaml", text);
+  ASSERT_EQ(read.robot.links.size(), 1u);
+  EXPECT_EQ(read.robot.links[0].mass, 50);
+}
+
+TEST(CalibratedYaml, GivesEachRunItsFrameWhereTheFileHasOneForAll) {
+  const TempFolder folder;
+  const ProblemSpec spec = ReadFrom(folder, "problem.yaml", kLinks);
+  RobotModel robot = spec.robot;
+  robot.base_per_run = true;
+  robot.base_of_run = {{"day", robot.X_WB}, {"night", robot.X_WB}};
+  robot.base_of_run[1].X.translation().x() += 1e-4;
+  const std::string text = CalibratedYaml(spec, robot, {}, "day.csv");
+  const ProblemSpec read = ReadFrom(folder, "calibrated.yaml", text);
+  EXPECT_TRUE(read.robot.base_per_run);
+  ASSERT_EQ(read.robot.base_of_run.size(), 2u) << text;
+  EXPECT_EQ(read.robot.base_of_run[1].run, "night");
+  ExpectSamePose(read.robot.base_of_run[1].X, robot.base_of_run[1].X);
 }
 
 TEST(CalibratedYaml, RefusesAFileThatHasChanged) {
