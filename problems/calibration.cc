@@ -53,19 +53,26 @@ Calibration::Calibration(const ProblemSpec& problem_spec, const Recording& rows)
   if (!rows.set_aside.empty()) SetAside();
 }
 
-PhysicsContext Calibration::Context() const {
+std::vector<Eigen::Isometry3d> Calibration::BasesAt(const Eigen::VectorXd& state) const {
+  Frames moved = frames;
+  if (state.size() > 0) moved.Apply(parameters, state, chain.slots());
   std::vector<Eigen::Isometry3d> bases;
-  for (std::size_t run = 0; run < frames.num_bases(); ++run) {
-    bases.push_back(frames.base(static_cast<int>(run)));
+  for (std::size_t run = 0; run < moved.num_bases(); ++run) {
+    bases.push_back(moved.base(static_cast<int>(run)));
   }
-  if (arm.size() == 0) return PhysicsContext(spec.robot, recording, std::move(bases));
-  return PhysicsContext(spec.robot, recording, std::move(bases), arm);
+  return bases;
+}
+
+PhysicsContext Calibration::Context() const {
+  if (arm.size() > 0) return PhysicsContext(spec.robot, recording, arm_bases, arm);
+  return PhysicsContext(spec.robot, recording, BasesAt({}));
 }
 
 void Calibration::Bend(const Eigen::VectorXd& state) {
   Eigen::MatrixXd bent(chain.slots().size(), recording.num_rows());
   for (int row = 0; row < recording.num_rows(); ++row) bent.col(row) = SlotDeltas(state, row);
   arm = std::move(bent);
+  arm_bases = BasesAt(state);
   UpdateEffects();
 }
 

@@ -49,8 +49,11 @@ struct Calibration {
   void Bend(const Eigen::VectorXd& state);
   /// Computes the effects' weights again after `frames` has moved.
   void UpdateEffects() { SetEffects(effects); }
-  std::vector<EffectRequest> effects;  // switched on
-  Eigen::MatrixXd arm;                 // slots x rows: of the arm that they load; empty = nominal
+  std::vector<EffectRequest> effects;        // switched on
+  Eigen::MatrixXd arm;                       // slots x rows: of the arm they load; empty = nominal
+  std::vector<Eigen::Isometry3d> arm_bases;  // its bases
+  /// Bases X_WB with a state's corrections; of the start where the state is empty.
+  std::vector<Eigen::Isometry3d> BasesAt(const Eigen::VectorXd& state) const;
 
   /// Moves the readings of rows that the recording sets aside out of the others.
   void SetAside();

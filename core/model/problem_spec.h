@@ -26,11 +26,6 @@ enum class LossKind { kNone, kHuber, kCauchy, kTukey };
 
 const char* ToString(SolverMethod method);
 
-struct Anchor {
-  std::string name;
-  Eigen::Vector3d p_WA = Eigen::Vector3d::Zero();  // [m]
-};
-
 struct MeasurementSpec {
   MeasurementKind kind;                  // of the registry, residuals/registry.h
   std::optional<double> sigma;           // [m] one measured coordinate; absent = estimated

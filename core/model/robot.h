@@ -37,6 +37,12 @@ struct Target {
   Eigen::Isometry3d X_TQ = Eigen::Isometry3d::Identity();
 };
 
+/// A point that distances are read to.
+struct Anchor {
+  std::string name;
+  Eigen::Vector3d p_WA = Eigen::Vector3d::Zero();  // [m]
+};
+
 /// A base pose registered for one run only.
 struct RunFrame {
   std::string run;
@@ -56,6 +62,10 @@ struct RobotModel {
   bool tool_per_run = false;
   std::vector<RunFrame> tool_of_run;
   std::vector<Target> targets;  // instead of X_TQ when not empty
+
+  /// Around the robot, where distances are read: those of the measurement, for effects of the
+  /// instrument.
+  std::vector<Anchor> anchors;
 
   Eigen::Vector3d gravity_B = Eigen::Vector3d(0, 0, -9.80665);  // [m/s^2]
   std::vector<LinkMass> links;                                  // empty, or one per joint

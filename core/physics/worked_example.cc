@@ -20,6 +20,7 @@ RobotModel WorkedExampleRobot() {
     robot.links.push_back({10.0, Eigen::Vector3d::Zero()});
   }
   robot.X_TQ.translation() = Eigen::Vector3d(0, 0, 0.2);
+  robot.anchors = {{"A", Eigen::Vector3d(1.105, 0, -1.265)}};
   robot.gravity_B = Eigen::Vector3d(0, 0, -10);  // round numbers in the examples
   return robot;
 }
@@ -42,6 +43,9 @@ Recording WorkedExampleRecording() {
   recording.torque.row(1).setConstant(100);
   recording.torque.row(2).setConstant(-100);
   recording.payload = Eigen::Vector3d(0, 5, 0);
+  recording.distance = Eigen::Vector3d::Ones();
+  recording.anchor_names = {"A"};
+  recording.anchor_idx = {0, 0, 0};
   recording.run_names = {"1", "2"};
   recording.run_idx = {0, 0, 1};
   return recording;

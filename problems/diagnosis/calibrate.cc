@@ -59,12 +59,22 @@ Result WithDiagnosis(const ProblemSpec& spec,
   return result;
 }
 
+void Widen(double times, ParameterResult* p) {
+  p->sigma *= times;
+  p->ci95_low = p->value + times * (p->ci95_low - p->value);
+  p->ci95_high = p->value + times * (p->ci95_high - p->value);
+}
+
 }  // namespace
 
 Result Calibrate(const ProblemSpec& spec, const Recording& recording, const Progress& progress) {
   Result result = WithDiagnosis(spec, recording, progress);
   for (std::string& remark : Remarks(spec, recording, result)) {
     result.notes.push_back(std::move(remark));
+  }
+  const double widening = Widening(result);
+  for (FitResult& fit : result.fits) {
+    for (ParameterResult& p : fit.parameters) Widen(widening, &p);
   }
   return result;
 }

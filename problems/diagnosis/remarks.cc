@@ -34,16 +34,14 @@ void RemarkOnSigma(const Result& result, std::vector<std::string>* remarks) {
         fit->chi2_reduced,
         shown,
         1 / ratio));
-  } else if (ratio > kContradicts && fit->chi2_p < kNoChance) {
+  } else if (Widening(result) > 1) {
     remarks->push_back(fmt::format(
         "The residuals are {:.2g} times larger than the stated noise of {:.3g} mm (reduced "
-        "chi-square {:.3g}, which no chance gives): either the instrument is not as good, or "
-        "something is left out of the model. The sigmas of parameters are those of the stated "
-        "noise; by the residuals they would be {:.2g} times larger.",
+        "chi-square {:.3g}, which no chance gives), without any pattern. The sigmas of parameters "
+        "were widened as much.",
         ratio,
         stated,
-        fit->chi2_reduced,
-        ratio));
+        fit->chi2_reduced));
   }
 }
 
@@ -113,6 +111,15 @@ void RemarkOnTestRows(const Recording& recording, std::vector<std::string>* rema
 }
 
 }  // namespace
+
+double Widening(const Result& result) {
+  const FitResult* const fit = result.delivered_fit();
+  const bool consistent =
+      result.diagnosis && result.diagnosis->verdict == DiagnosisVerdict::kConsistent;
+  if (fit == nullptr || !consistent || !(fit->chi2_p < kNoChance)) return 1;
+  const double ratio = std::sqrt(fit->chi2_reduced);
+  return ratio > kContradicts ? ratio : 1;
+}
 
 std::vector<std::string> Remarks(const ProblemSpec& spec,
                                  const Recording& recording,

@@ -75,7 +75,7 @@ class UnseenRows {
   std::vector<bool> elastic_;
   std::vector<int> mass_idx_;
   Eigen::VectorXd mass_value_;  // at the fit, in units of the masses' priors
-  std::vector<int> row_of_;  // recording row of each fitted row
+  std::vector<int> row_of_;     // recording row of each fitted row
   Rows white_, raw_, test_white_, test_raw_;
   Part all_;
   std::vector<Way> ways_;

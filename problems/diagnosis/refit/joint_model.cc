@@ -147,26 +147,20 @@ MatrixXd JointModel::GeometryDeltas(const VectorXd& geometry) const {
   return deltas;
 }
 
-std::shared_ptr<const PhysicsContext> JointModel::ContextAt(const RobotModel& robot,
-                                                            const MatrixXd& deltas) const {
-  const Calibration& c = *calibration_;
-  std::vector<Eigen::Isometry3d> bases;
-  for (std::size_t run = 0; run < c.frames.num_bases(); ++run) {
-    bases.push_back(c.frames.base(static_cast<int>(run)));
-  }
-  return std::make_shared<const PhysicsContext>(robot, c.recording, std::move(bases), deltas);
-}
-
 JointModel::Bent JointModel::Bend(JointState* state) const {
   Bent bent;
-  bent.robot = std::make_shared<const RobotModel>(WithMasses(state->masses));
-  const MatrixXd geometry = GeometryDeltas(state->geometry);
-  if (state->deltas.size() == 0) state->deltas = geometry;
   bent.elastic = std::any_of(
       state->members.begin(), state->members.end(), [](const Member& m) { return m.item.elastic; });
+  // Masses that a member which has gone had asked for would load what is tried in its place.
+  if (!bent.elastic) state->masses.setZero();
+  bent.robot = std::make_shared<const RobotModel>(WithMasses(state->masses));
+  const MatrixXd geometry = GeometryDeltas(state->geometry);
+  const std::vector<Eigen::Isometry3d> bases = calibration_->BasesAt(state->geometry);
+  if (state->deltas.size() == 0) state->deltas = geometry;
   bent.columns.resize(state->members.size());
   for (int turn = 0; turn < (bent.elastic ? kBends : 1); ++turn) {
-    bent.context = ContextAt(*bent.robot, state->deltas);
+    bent.context = std::make_shared<const PhysicsContext>(
+        *bent.robot, calibration_->recording, bases, state->deltas);
     state->deltas = geometry;
     for (std::size_t k = 0; k < state->members.size(); ++k) {
       const Member& member = state->members[k];

@@ -95,8 +95,6 @@ class JointModel {
   Bent Bend(JointState* state) const;
   RobotModel WithMasses(const Eigen::VectorXd& errors) const;
   Eigen::MatrixXd GeometryDeltas(const Eigen::VectorXd& geometry) const;
-  std::shared_ptr<const PhysicsContext> ContextAt(const RobotModel& robot,
-                                                  const Eigen::MatrixXd& deltas) const;
   void AddMassColumns(JointRows* joint) const;
 
   ProblemSpec spec_;

@@ -111,6 +111,7 @@ void ReadProblem(const YamlValue& root, const std::string& data_dir, ProblemSpec
   if (const auto robot = map.Require("robot")) ReadRobot(*robot, &spec->robot);
   if (const auto measurement = map.Require("measurement")) {
     ReadMeasurement(*measurement, &spec->measurement);
+    spec->robot.anchors = spec->measurement.anchors;
   }
   spec->parameters.where = root.key_where();
   if (const auto parameters = map.Find("parameters")) {
