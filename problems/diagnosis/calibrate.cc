@@ -72,9 +72,12 @@ Result Calibrate(const ProblemSpec& spec, const Recording& recording, const Prog
   for (std::string& remark : Remarks(spec, recording, result)) {
     result.notes.push_back(std::move(remark));
   }
-  const double widening = Widening(result);
+  const double widening = Widening(recording, result);
   for (FitResult& fit : result.fits) {
     for (ParameterResult& p : fit.parameters) Widen(widening, &p);
+  }
+  if (result.delivered) {
+    for (ParameterResult& p : result.delivered->fit.parameters) Widen(widening, &p);
   }
   return result;
 }

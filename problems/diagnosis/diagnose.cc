@@ -323,6 +323,10 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
     }
   }
   AddConfusables(model, outcome, &d);
+  // What the file can put right comes before physics.
+  std::stable_partition(d.findings.begin(), d.findings.end(), [](const Finding& finding) {
+    return finding.effect_class == "geometry";
+  });
   d.model = ModelOf(outcome, certainties);
   if (!model.masses_given() ? !outcome.fit.mass_idx.empty()
                             : unseen.RmsOfStatedMasses(cells) > kClearlyMore * d.rms_train_after) {

@@ -1,6 +1,7 @@
 #include "problems/diagnosis/remarks.h"
 
 #include <cmath>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -14,7 +15,43 @@ namespace {
 
 constexpr double kContradicts = 1.5;  // times: no sigma is stated better
 constexpr double kNoChance = 1e-3;
-constexpr double kCoarse = 0.5;  // of the noise: rounding that can be seen
+constexpr double kDistinct = 0.8;  // part of the rows: fewer poses are repeated ones
+constexpr double kShared = 1.2;    // what so many poses' sums exceed by no chance
+constexpr double kCoarse = 0.5;    // of the noise: rounding that can be seen
+
+/// Of a stated noise that chance does not enlarge so, where nothing structured is left: how many
+/// times larger the residuals are; else 1.
+double WidenedByNoise(const Result& result) {
+  const FitResult* const fit = result.delivered_fit();
+  const bool consistent =
+      result.diagnosis && result.diagnosis->verdict == DiagnosisVerdict::kConsistent;
+  if (fit == nullptr || !consistent || !(fit->chi2_p < kNoChance)) return 1;
+  const double ratio = std::sqrt(fit->chi2_reduced);
+  return ratio > kContradicts ? ratio : 1;
+}
+
+/// Rows of one pose (repeats, several targets) that err alike count for less than their number: the
+/// root of the squares of the poses' sums over those of the rows.
+double WidenedByPoses(const Recording& recording, const Result& result) {
+  std::map<int, Eigen::VectorXd> sum_of_pose;
+  const std::vector<int> poses = PosesOfRows(recording);
+  double squares = 0;
+  int rows = 0;
+  for (const RowResidual& row : result.residuals) {
+    if (row.test || !row.set_aside.empty() || row.residual.size() == 0) continue;
+    const int pose = poses[static_cast<std::size_t>(row.row_idx)];
+    const auto entry = sum_of_pose.try_emplace(pose, Eigen::VectorXd::Zero(row.residual.size()));
+    entry.first->second += row.standardised;
+    squares += row.standardised.squaredNorm();
+    ++rows;
+  }
+  const bool repeated = static_cast<double>(sum_of_pose.size()) < kDistinct * rows;
+  if (result.kind.pairs || result.kind.anchors || !repeated || !(squares > 0)) return 1;
+  double of_poses = 0;
+  for (const auto& [pose, sum] : sum_of_pose) of_poses += sum.squaredNorm();
+  const double factor = of_poses / squares;
+  return factor > kShared ? std::sqrt(factor) : 1;
+}
 
 /// Of a stated noise, by the model that is delivered.
 void RemarkOnSigma(const Result& result, std::vector<std::string>* remarks) {
@@ -34,7 +71,7 @@ void RemarkOnSigma(const Result& result, std::vector<std::string>* remarks) {
         fit->chi2_reduced,
         shown,
         1 / ratio));
-  } else if (Widening(result) > 1) {
+  } else if (WidenedByNoise(result) > 1) {
     remarks->push_back(fmt::format(
         "The residuals are {:.2g} times larger than the stated noise of {:.3g} mm (reduced "
         "chi-square {:.3g}, which no chance gives), without any pattern. The sigmas of parameters "
@@ -112,13 +149,8 @@ void RemarkOnTestRows(const Recording& recording, std::vector<std::string>* rema
 
 }  // namespace
 
-double Widening(const Result& result) {
-  const FitResult* const fit = result.delivered_fit();
-  const bool consistent =
-      result.diagnosis && result.diagnosis->verdict == DiagnosisVerdict::kConsistent;
-  if (fit == nullptr || !consistent || !(fit->chi2_p < kNoChance)) return 1;
-  const double ratio = std::sqrt(fit->chi2_reduced);
-  return ratio > kContradicts ? ratio : 1;
+double Widening(const Recording& recording, const Result& result) {
+  return WidenedByNoise(result) * WidenedByPoses(recording, result);
 }
 
 std::vector<std::string> Remarks(const ProblemSpec& spec,
@@ -129,6 +161,13 @@ std::vector<std::string> Remarks(const ProblemSpec& spec,
   RemarkOnSigma(result, &remarks);
   RemarkOnDecimals(spec, recording, result, &remarks);
   RemarkOnTestRows(recording, &remarks);
+  const double shared = WidenedByPoses(recording, result);
+  if (shared > 1) {
+    remarks.push_back(fmt::format(
+        "Rows with the same joint coordinates err alike: they are fewer draws than rows, and the "
+        "sigmas of parameters were widened {:.2g} times.",
+        shared));
+  }
   return remarks;
 }
 

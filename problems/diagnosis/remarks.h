@@ -12,9 +12,10 @@
 
 namespace dhcal {
 
-/// Of a stated noise that chance does not enlarge so, where nothing structured is left: how many
-/// times larger the residuals are; else 1. The sigmas of parameters are to be so many times wider.
-double Widening(const Result& result);
+/// How many times wider the sigmas of parameters are than a fit of independent rows with the stated
+/// noise says: by a noise that residuals without any pattern contradict, and by errors that the
+/// rows of one pose share.
+double Widening(const Recording& recording, const Result& result);
 
 /// Sentences on a stated noise that the residuals contradict, joint coordinates too coarse for the
 /// readings, and test rows that are no unseen ones. Empty where there is nothing to remark.

@@ -35,8 +35,10 @@ class JointCouplingEffect final : public Effect {
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
+    const auto si = [&](int joint) { return std::string(c.revolute(joint) ? "rad" : "m"); };
+    const std::string unit = si(JointIndex(request)) + "/" + si(Driver(request));
     return {SlotColumn(
-        "coupling", "rad/rad", 2e-4, c.joint_slot(JointIndex(request)), c.q(Driver(request)))};
+        "coupling", unit, 2e-4, c.joint_slot(JointIndex(request)), c.q(Driver(request)))};
   }
   /// Couplings of the last three joints, and of the third by the second (a parallelogram).
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
@@ -64,10 +66,18 @@ class JointCouplingEffect final : public Effect {
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
-    return fmt::format("joint {} is turned by joint {}: {}",
+    const EffectValue coupling = Find(values, "coupling");
+    // The unit says which of the two slides: "m/rad" -> "mm per rad".
+    const std::size_t slash = coupling.unit.find('/');
+    return fmt::format("joint {} is {} by joint {}: {}",
                        request.joint,
+                       coupling.unit.substr(0, slash) == "m" ? "moved" : "turned",
                        Driver(request) + 1,
-                       Quantity(Find(values, "coupling"), 1e-3, "mrad per rad"));
+                       Quantity(coupling,
+                                1e-3,
+                                fmt::format("m{} per {}",
+                                            coupling.unit.substr(0, slash),
+                                            coupling.unit.substr(slash + 1))));
   }
   WorkedExample Example() const override {
     WorkedExample example;

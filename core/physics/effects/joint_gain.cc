@@ -14,6 +14,8 @@
 namespace dhcal {
 namespace {
 
+constexpr char kOfSlide[] = "m/m";
+
 class JointGainEffect final : public Effect {
  public:
   EffectDescription Describe() const override {
@@ -32,7 +34,8 @@ class JointGainEffect final : public Effect {
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
     const int joint = JointIndex(request);
-    return {SlotColumn("gain", "rad/rad", 1e-4, c.joint_slot(joint), c.q(joint))};
+    const char* const unit = c.revolute(joint) ? "rad/rad" : kOfSlide;
+    return {SlotColumn("gain", unit, 1e-4, c.joint_slot(joint), c.q(joint))};
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
     return EveryJoint(c, "joint_gain", /*revolute_only=*/false);
@@ -43,9 +46,12 @@ class JointGainEffect final : public Effect {
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
   std::string Sentence(const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
-    return fmt::format("joint {} turns by a constant factor too far: {}",
+    const EffectValue gain = Find(values, "gain");
+    const bool slides = gain.unit == kOfSlide;
+    return fmt::format("joint {} {} by a constant factor too far: {}",
                        request.joint,
-                       Quantity(Find(values, "gain"), 1e-3, "mrad per rad"));
+                       slides ? "slides" : "turns",
+                       Quantity(gain, 1e-3, slides ? "mm per m" : "mrad per rad"));
   }
   WorkedExample Example() const override {
     WorkedExample example;

@@ -62,6 +62,11 @@ std::vector<EffectRequest> Places(const std::vector<EffectRequest>& requests,
   return places;
 }
 
+bool UsableTorque(const PhysicsContext& c, const Effect& effect, EffectRequest request) {
+  request.settings["measured_torque"] = 1;
+  return effect.NotTestable(c, request).empty();
+}
+
 std::vector<EffectRequest> AllPairs(const PhysicsContext& c, const std::string& effect) {
   std::vector<EffectRequest> pairs;
   for (int joint = 1; joint <= c.num_joints(); ++joint) {
@@ -252,6 +257,10 @@ std::vector<Item> NamedItems(const PhysicsContext& c, const LibraryOptions& opti
       const bool fine =
           description.name == "torsion_nonlinearity" || request.setting("flank", 0) != 0;
       if (!options.masses_given && fine && request.setting("measured_torque", 0) == 0) continue;
+      // Where a torque was measured, it is believed before a guessed mass.
+      const bool guessed_load = !options.masses_given && description.name == "joint_compliance" &&
+                                request.setting("measured_torque", 0) == 0;
+      if (guessed_load && UsableTorque(c, *effect, request)) continue;
       forms.push_back(request);
       ++count[IdOf(request)];
     }
