@@ -1,6 +1,8 @@
 #include "problems/diagnosis/deliver.h"
 
 #include <algorithm>
+#include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 

@@ -1,5 +1,6 @@
 #include "problems/diagnosis/remarks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
