@@ -95,6 +95,7 @@ void Calibration::SetEffects(const std::vector<EffectRequest>& requests) {
                                   [](const Parameter& p) { return p.effect_column >= 0; }),
                    parameters.end());
   effect_columns.clear();
+  effect_of_column.clear();
   held.clear();
   effects = requests;
   if (requests.empty()) return;
@@ -108,6 +109,7 @@ void Calibration::SetEffects(const std::vector<EffectRequest>& requests) {
       parameters.push_back(
           EffectParameter(request, column, static_cast<int>(effect_columns.size())));
       effect_columns.push_back(std::move(column));
+      effect_of_column.push_back(static_cast<std::size_t>(&request - requests.data()));
     }
   }
 }

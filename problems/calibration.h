@@ -34,8 +34,15 @@ struct Calibration {
   DhChain chain;
   std::vector<Parameter> parameters;  // unknown; state k corrects parameters[k]
   Readings readings;
-  Frames frames;                             // where base and tool start (nominal, or aligned)
-  std::vector<EffectColumn> effect_columns;  // of the parameters of group effect
+  Frames frames;                              // where base and tool start (nominal, or aligned)
+  std::vector<EffectColumn> effect_columns;   // of the parameters of group effect
+  std::vector<std::size_t> effect_of_column;  // of `effects`
+  const EffectColumn& ColumnOf(const Parameter& p) const {
+    return effect_columns[static_cast<std::size_t>(p.effect_column)];
+  }
+  const EffectRequest& EffectOf(int column) const {
+    return effects[effect_of_column[static_cast<std::size_t>(column)]];
+  }
 
   /// Circumstances of the rows with the base where `frames` has it.
   PhysicsContext Context() const;

@@ -144,4 +144,13 @@ std::optional<ResidualStatistics> FitFramesAlone(Calibration* c, const Progress&
   return left;
 }
 
+Frames AlignedFrames(const ProblemSpec& spec, const Recording& recording) {
+  ProblemSpec rigid = spec;
+  rigid.parameters.effects.clear();
+  Calibration c(rigid, recording);
+  AlignStart(&c);
+  FitFramesAlone(&c, {});
+  return c.frames;
+}
+
 }  // namespace dhcal

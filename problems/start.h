@@ -35,6 +35,9 @@ void AlignStart(Calibration* calibration);
 std::optional<ResidualStatistics> FitFramesAlone(Calibration* calibration,
                                                  const Progress& progress);
 
+/// Base and tool where the file leaves them, aligned as far as it estimates them; without effects.
+Frames AlignedFrames(const ProblemSpec& spec, const Recording& recording);
+
 }  // namespace dhcal
 
 #endif  // DHCAL_PROBLEMS_START_H_

@@ -69,15 +69,15 @@ void Widen(double times, ParameterResult* p) {
 
 Result Calibrate(const ProblemSpec& spec, const Recording& recording, const Progress& progress) {
   Result result = WithDiagnosis(spec, recording, progress);
-  for (std::string& remark : Remarks(spec, recording, result)) {
+  const Widening widening = WideningOf(recording, result);
+  for (std::string& remark : Remarks(spec, recording, result, widening)) {
     result.notes.push_back(std::move(remark));
   }
-  const double widening = Widening(recording, result);
   for (FitResult& fit : result.fits) {
-    for (ParameterResult& p : fit.parameters) Widen(widening, &p);
+    for (ParameterResult& p : fit.parameters) Widen(widening.all(), &p);
   }
   if (result.delivered) {
-    for (ParameterResult& p : result.delivered->fit.parameters) Widen(widening, &p);
+    for (ParameterResult& p : result.delivered->fit.parameters) Widen(widening.all(), &p);
   }
   return result;
 }

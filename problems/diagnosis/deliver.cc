@@ -1,7 +1,6 @@
 #include "problems/diagnosis/deliver.h"
 
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "core/base/units.h"
-#include "core/physics/registry.h"
 #include "problems/diagnosis/complete_fit.h"
 #include "problems/diagnosis/completions.h"
 #include "problems/fit_analysis.h"
@@ -24,16 +22,6 @@ namespace {
 
 // The diagnosis' fit has priors and this one truncates: what the two leave differs by less.
 constexpr double kMissed = 1.1;
-
-/// Frames as the diagnosis aligned them: by the user's file, whatever was found missing in it.
-Frames AlignedFrames(const ProblemSpec& user, const Recording& recording) {
-  ProblemSpec spec = user;
-  spec.parameters.effects.clear();
-  Calibration c(spec, recording);
-  AlignStart(&c);
-  FitFramesAlone(&c, {});
-  return c.frames;
-}
 
 /// A fit that owns what it refers to.
 class OwnFit {
@@ -81,20 +69,12 @@ class OwnFit {
   Eigen::VectorXd StartAt(const DiagnosisResult& d) const {
     Eigen::VectorXd start =
         Eigen::VectorXd::Zero(static_cast<Eigen::Index>(calibration.parameters.size()));
-    Eigen::Index next = 0;
-    for (const Parameter& p : calibration.parameters) {
-      const auto known = d.geometry.find(p.name);
-      if (known != d.geometry.end() && p.effect_column < 0) start[next] = known->second;
-      if (p.effect_column < 0) ++next;
-    }
-    const PhysicsContext context = calibration.Context();
-    for (const EffectRequest& effect : calibration.effects) {
-      if (effect.held) continue;
-      for (const EffectColumn& column : EffectColumns(context, effect)) {
-        const auto value = effect.values.find(column.parameter);
-        if (value != effect.values.end()) start[next] = value->second;
-        ++next;
-      }
+    for (std::size_t k = 0; k < calibration.parameters.size(); ++k) {
+      const Parameter& p = calibration.parameters[k];
+      const bool of_effect = p.effect_column >= 0;
+      const auto& values = of_effect ? calibration.EffectOf(p.effect_column).values : d.geometry;
+      const auto known = values.find(of_effect ? calibration.ColumnOf(p).parameter : p.name);
+      if (known != values.end()) start[static_cast<Eigen::Index>(k)] = known->second;
     }
     return start;
   }
@@ -137,22 +117,17 @@ bool IsFrameOfRuns(const EffectRequest& effect, ProblemSpec* spec) {
   return false;
 }
 
-std::vector<EffectRequest> HeldAt(const std::vector<EffectRequest>& effects,
-                                  const Calibration& c,
-                                  const Eigen::VectorXd& state) {
-  std::vector<EffectRequest> held = effects;
-  auto next = std::find_if(c.parameters.begin(), c.parameters.end(), [](const Parameter& p) {
-    return p.effect_column >= 0;
-  });
-  const PhysicsContext context = c.Context();
+std::vector<EffectRequest> HeldAt(const Calibration& c, const Eigen::VectorXd& state) {
+  std::vector<EffectRequest> held = c.effects;
   for (EffectRequest& effect : held) {
-    if (effect.held) continue;
+    if (!effect.held) effect.values.clear();
     effect.held = true;
-    effect.values.clear();
-    for (const EffectColumn& column : EffectColumns(context, effect)) {
-      effect.values[column.parameter] = state[next - c.parameters.begin()];
-      ++next;
-    }
+  }
+  for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+    const Parameter& p = c.parameters[k];
+    if (p.effect_column < 0) continue;
+    const std::size_t of = c.effect_of_column[static_cast<std::size_t>(p.effect_column)];
+    held[of].values[c.ColumnOf(p).parameter] = state[static_cast<Eigen::Index>(k)];
   }
   return held;
 }
@@ -198,9 +173,9 @@ void Deliver(const ProblemSpec& user,
     if (!IsFrameOfRuns(effect, &spec)) spec.parameters.effects.push_back(effect);
   }
   if (!d.links.empty()) spec.robot.links = d.links;
-  const auto own = std::make_unique<OwnFit>(user, spec, recording, &d, progress);
+  const OwnFit own(user, spec, recording, &d, progress);
   const std::optional<FitAnalysis> analysis =
-      own->usable() ? Analyse(own->calibration, own->fit) : std::nullopt;
+      own.usable() ? Analyse(own.calibration, own.fit) : std::nullopt;
   if (!analysis) {
     result->notes.push_back(
         "The solver found no usable fit of geometry and effects together; calibrated.yaml holds "
@@ -209,13 +184,13 @@ void Deliver(const ProblemSpec& user,
   }
   if (!d.links.empty()) AddNoteOnMasses(user, result);
   DeliveredModel model;
-  const Eigen::VectorXd& state = own->fit.summary.state;
-  model.fit = DescribeFit(own->calibration, own->fit, &*analysis);
-  model.robot = own->Robot();
-  model.effects = HeldAt(own->spec.parameters.effects, own->calibration, state);
-  model.validation = Validate(own->calibration, *analysis, *own->fit.problem);
+  const Eigen::VectorXd& state = own.fit.summary.state;
+  model.fit = DescribeFit(own.calibration, own.fit, &*analysis);
+  model.robot = own.Robot();
+  model.effects = HeldAt(own.calibration, state);
+  model.validation = Validate(own.calibration, *analysis, *own.fit.problem);
   model.intervals = JudgeDelivered(d);
-  if (own->spec.parameters.effects.size() > user.parameters.effects.size()) {
+  if (own.spec.parameters.effects.size() > user.parameters.effects.size()) {
     const bool as_file_asks = rigid.parameters.estimate == user.parameters.estimate;
     model.rigid = as_file_asks ? result->calibrated
                                : OwnFit(user, rigid, recording, nullptr, progress).Robot();
@@ -227,7 +202,7 @@ void Deliver(const ProblemSpec& user,
         model.fit.rms / kMillimetre,
         d.rms_train_after / kMillimetre));
   }
-  AddPredictions(*own, *analysis, result);
+  AddPredictions(own, *analysis, result);
   result->delivered = std::move(model);
 }
 

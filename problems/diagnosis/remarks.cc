@@ -34,6 +34,7 @@ double WidenedByNoise(const Result& result) {
 /// Rows of one pose (repeats, several targets) that err alike count for less than their number: the
 /// root of the squares of the poses' sums over those of the rows.
 double WidenedByPoses(const Recording& recording, const Result& result) {
+  if (result.kind.pairs || result.kind.anchors) return 1;
   std::map<int, Eigen::VectorXd> sum_of_pose;
   const std::vector<int> poses = PosesOfRows(recording);
   double squares = 0;
@@ -47,7 +48,7 @@ double WidenedByPoses(const Recording& recording, const Result& result) {
     ++rows;
   }
   const bool repeated = static_cast<double>(sum_of_pose.size()) < kDistinct * rows;
-  if (result.kind.pairs || result.kind.anchors || !repeated || !(squares > 0)) return 1;
+  if (!repeated || !(squares > 0)) return 1;
   double of_poses = 0;
   for (const auto& [pose, sum] : sum_of_pose) of_poses += sum.squaredNorm();
   const double factor = of_poses / squares;
@@ -55,7 +56,9 @@ double WidenedByPoses(const Recording& recording, const Result& result) {
 }
 
 /// Of a stated noise, by the model that is delivered.
-void RemarkOnSigma(const Result& result, std::vector<std::string>* remarks) {
+void RemarkOnSigma(const Result& result,
+                   const Widening& widening,
+                   std::vector<std::string>* remarks) {
   const FitResult* const fit = result.delivered_fit();
   if (fit == nullptr || std::isnan(fit->chi2_reduced) || std::isnan(fit->chi2_p)) return;
   const double ratio = std::sqrt(fit->chi2_reduced);
@@ -72,7 +75,7 @@ void RemarkOnSigma(const Result& result, std::vector<std::string>* remarks) {
         fit->chi2_reduced,
         shown,
         1 / ratio));
-  } else if (WidenedByNoise(result) > 1) {
+  } else if (widening.by_noise > 1) {
     remarks->push_back(fmt::format(
         "The residuals are {:.2g} times larger than the stated noise of {:.3g} mm (reduced "
         "chi-square {:.3g}, which no chance gives), without any pattern. The sigmas of parameters "
@@ -150,24 +153,24 @@ void RemarkOnTestRows(const Recording& recording, std::vector<std::string>* rema
 
 }  // namespace
 
-double Widening(const Recording& recording, const Result& result) {
-  return WidenedByNoise(result) * WidenedByPoses(recording, result);
+Widening WideningOf(const Recording& recording, const Result& result) {
+  return {WidenedByNoise(result), WidenedByPoses(recording, result)};
 }
 
 std::vector<std::string> Remarks(const ProblemSpec& spec,
                                  const Recording& recording,
-                                 const Result& result) {
+                                 const Result& result,
+                                 const Widening& widening) {
   std::vector<std::string> remarks;
   if (result.best() == nullptr) return remarks;
-  RemarkOnSigma(result, &remarks);
+  RemarkOnSigma(result, widening, &remarks);
   RemarkOnDecimals(spec, recording, result, &remarks);
   RemarkOnTestRows(recording, &remarks);
-  const double shared = WidenedByPoses(recording, result);
-  if (shared > 1) {
+  if (widening.by_poses > 1) {
     remarks.push_back(fmt::format(
         "Rows with the same joint coordinates err alike: they are fewer draws than rows, and the "
         "sigmas of parameters were widened {:.2g} times.",
-        shared));
+        widening.by_poses));
   }
   return remarks;
 }

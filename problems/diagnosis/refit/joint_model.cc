@@ -67,16 +67,6 @@ VectorXd PriorsOf(const std::vector<Parameter>& parameters) {
   return prior;
 }
 
-/// Base and tool where the user's file leaves them, aligned as far as it estimates them.
-Frames StartOf(const ProblemSpec& user, const Recording& recording) {
-  ProblemSpec spec = user;
-  spec.parameters.effects.clear();
-  Calibration c(spec, recording);
-  AlignStart(&c);
-  FitFramesAlone(&c, {});
-  return c.frames;
-}
-
 }  // namespace
 
 int JointRows::FirstColumn(std::size_t member) const {
@@ -93,7 +83,7 @@ JointModel::JointModel(const ProblemSpec& user, const Recording& recording)
   for (const EffectRequest& effect : user.parameters.effects) {
     if (!effect.held) given_.push_back(effect);
   }
-  calibration_->frames = StartOf(user, recording);
+  calibration_->frames = AlignedFrames(user, recording);
   calibration_->UpdateEffects();
 }
 
