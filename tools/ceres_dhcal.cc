@@ -3,12 +3,31 @@
 #include <exception>
 #include <iostream>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <glog/logging.h>
 
 #include "tools/support/batch.h"
 #include "tools/support/command_line.h"
 
+namespace {
+
+/// Matrices of a hundred megabytes come and go: memory once asked for is kept, for the system takes
+/// longer to hand out and clear a page than the program to fill it.
+void KeepMemory() {
+#ifdef __GLIBC__
+  constexpr int kGigabyte = 1 << 30;
+  mallopt(M_MMAP_THRESHOLD, kGigabyte);
+  mallopt(M_TRIM_THRESHOLD, kGigabyte);
+#endif
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  KeepMemory();
   google::InitGoogleLogging(argv[0]);
   // What the libraries log is for their developers; what users must know is in reports and errors.
   FLAGS_logtostderr = true;

@@ -28,7 +28,7 @@ constexpr Index kSampleRows = 4;
 constexpr std::int64_t kGrowth = 3;
 // The squares of the quotients of all rows that are added to one U must not pass this many times
 // U's own part: then at most 6 of 16 digits are lost in a direction, and rows like those of U stay
-// far below. A row that could break it brings a direction that U has not seen.
+// far below. A block that breaks it alone brings a direction that U has not seen.
 constexpr double kLargestSum = 1e6;
 // U is taken as it is while its diagonal entries are at least this share of their columns; else
 // each column gets a row of its own of the second share, far below all that rounding leaves of it.
@@ -95,6 +95,7 @@ RowReduction::RowReduction(int num_cols, const simd::Kernels& kernels)
     : kernels_(&kernels),
       sample_(kSampleRows * num_cols + kPackedRows, num_cols),
       R_(MatrixXd::Zero(num_cols, num_cols)),
+      squares_(VectorXd::Zero(num_cols)),
       T_(static_cast<std::size_t>(kPackedRows * num_cols)),
       sums_(static_cast<std::size_t>(GramBlocks(num_cols) * simd::kGramBlock * simd::kGramBlock *
                                      simd::kLanes)) {
@@ -126,7 +127,7 @@ void RowReduction::Merge(RowReduction* other) {
   const MatrixXd& R = other->R();
   num_rows_ += other->num_rows_;
   if (conditioned_) {
-    AddByHouseholder(R);
+    SetApart(R);
     return;
   }
   for (Index first = 0; first < R.rows() && !conditioned_; first += kPackedRows) {
@@ -146,10 +147,19 @@ void RowReduction::AddSample(const Eigen::Ref<const MatrixXd>& rows) {
   Condition();
 }
 
-void RowReduction::AddByHouseholder(const Eigen::Ref<const MatrixXd>& rows) {
+void RowReduction::SetApart(const Eigen::Ref<const MatrixXd>& rows) {
+  if (num_apart_ + rows.rows() > apart_.rows()) TakeInApart();
+  if (apart_.rows() < rows.rows()) apart_.resize(std::max(R_.cols(), rows.rows()), num_cols());
+  apart_.middleRows(num_apart_, rows.rows()) = rows;
+  num_apart_ += rows.rows();
+}
+
+void RowReduction::TakeInApart() {
+  if (num_apart_ == 0) return;
   Fold();
-  R_ = Triangle(Stacked(R_, rows));
-  folded_ += rows.rows();
+  R_ = Triangle(Stacked(R_, apart_.topRows(num_apart_)));
+  folded_ += num_apart_;
+  num_apart_ = 0;
   Condition();
 }
 
@@ -162,11 +172,19 @@ void RowReduction::AddBlock(const RowTile& block) {
     padded.topRows(block.num_rows) = Copied(block, num_cols());
     packs = {padded.data(), padded.rows(), padded.rows(), nullptr};
   }
-  const auto rows_to_come = static_cast<double>(kGrowth * folded_);
-  if (Substitute(packs) > std::sqrt(kLargestSum / rows_to_come)) {
-    AddByHouseholder(Copied(block, num_cols()));
+  Substitute(packs);
+  VectorXd squares = SquaresOfQuotients(packs.num_rows);
+  if ((squares.array() > kLargestSum).any()) {
+    SetApart(Copied(block, num_cols()));
     return;
   }
+  if ((squares_ + squares).maxCoeff() > kLargestSum) {
+    Fold();
+    Condition();
+    Substitute(packs);
+    squares = SquaresOfQuotients(packs.num_rows);
+  }
+  squares_ += squares;
   simd::GramArgs args;
   args.num_packs = static_cast<int>(packs.num_rows / simd::kLanes);
   args.num_cols = num_cols();
@@ -179,7 +197,7 @@ void RowReduction::AddBlock(const RowTile& block) {
   Condition();
 }
 
-double RowReduction::Substitute(const RowTile& packs) {
+void RowReduction::Substitute(const RowTile& packs) {
   simd::SubstituteArgs args;
   args.num_packs = static_cast<int>(packs.num_rows / simd::kLanes);
   args.num_cols = num_cols();
@@ -189,7 +207,20 @@ double RowReduction::Substitute(const RowTile& packs) {
   args.U = U_.data();
   args.inverse_diagonal = inverse_diagonal_.data();
   args.T = T_.data();
-  return kernels_->substitute(args);
+  kernels_->substitute(args);
+}
+
+VectorXd RowReduction::SquaresOfQuotients(Index rows) const {
+  using Lanes = Eigen::Array<double, simd::kLanes, 1>;
+  VectorXd squares(num_cols());
+  for (Index col = 0; col < num_cols(); ++col) {
+    Lanes sum = Lanes::Zero();
+    for (Index pack = 0; pack < rows / simd::kLanes; ++pack) {
+      sum += Lanes::Map(T_.data() + (pack * num_cols() + col) * simd::kLanes).square();
+    }
+    squares[col] = sum.sum();
+  }
+  return squares;
 }
 
 MatrixXd RowReduction::Gram() const {
@@ -216,6 +247,7 @@ void RowReduction::Fold() {
   R_.triangularView<Eigen::StrictlyLower>().setZero();
   folded_ += unfolded_;
   unfolded_ = 0;
+  squares_.setZero();
   std::fill(sums_.begin(), sums_.end(), 0.0);
 }
 
@@ -235,6 +267,7 @@ void RowReduction::Condition() {
 
 const MatrixXd& RowReduction::R() {
   if (conditioned_) {
+    TakeInApart();
     if (unfolded_ > 0) {
       Fold();
       Condition();

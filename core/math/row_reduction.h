@@ -7,8 +7,8 @@
 // exact as Householder's (preconditioned Cholesky QR; Fukaya et al., "Shifted Cholesky QR for
 // computing the QR factorization of ill-conditioned matrices", SIAM J. Sci. Comput. 42 (2020)). U
 // comes from the first rows by Householder and is renewed each time that the rows have become four
-// times as many, and where rows bring a direction that U has not seen: a |t| too large sends them
-// to Householder.
+// times as many, and where rows bring a direction that U has not seen: |t| too large sends them to
+// Householder, when there are as many of them as columns.
 #ifndef DHCAL_CORE_MATH_ROW_REDUCTION_H_
 #define DHCAL_CORE_MATH_ROW_REDUCTION_H_
 
@@ -53,8 +53,10 @@ class RowReduction {
  private:
   void AddBlock(const RowTile& rows);
   void AddSample(const Eigen::Ref<const Eigen::MatrixXd>& rows);
-  void AddByHouseholder(const Eigen::Ref<const Eigen::MatrixXd>& rows);
-  double Substitute(const RowTile& packs);
+  void SetApart(const Eigen::Ref<const Eigen::MatrixXd>& rows);
+  void TakeInApart();
+  void Substitute(const RowTile& packs);
+  Eigen::VectorXd SquaresOfQuotients(Eigen::Index rows) const;
   Eigen::MatrixXd Gram() const;
   void Condition();
   void Fold();
@@ -71,6 +73,9 @@ class RowReduction {
   Eigen::VectorXd inverse_diagonal_;
   Eigen::MatrixXd within_;  // R_ = within_ U_
   std::int64_t unfolded_ = 0;
+  Eigen::MatrixXd apart_;  // rows for Householder, as many as there are columns at a time
+  Eigen::Index num_apart_ = 0;
+  Eigen::VectorXd squares_;  // of the quotients added to U, by column
   simd::AlignedDoubles T_;
   simd::AlignedDoubles sums_;  // of T'T, in lanes
 };

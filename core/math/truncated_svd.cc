@@ -4,13 +4,12 @@
 #include <glog/logging.h>
 
 namespace dhcal {
+namespace {
 
-TruncatedSvd DecomposeScaled(const Eigen::MatrixXd& J, const Eigen::VectorXd& scale) {
-  CHECK_EQ(J.cols(), scale.size());
-  CHECK_GE(J.rows(), J.cols());
-  // Jacobi rotations: the small singular values decide the rank and must be accurate.
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J * scale.asDiagonal(),
-                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
+constexpr Eigen::Index kMany = 100;  // columns
+
+template <typename Svd>
+TruncatedSvd Kept(const Svd& svd, const Eigen::VectorXd& scale) {
   TruncatedSvd result;
   result.U = svd.matrixU();
   result.s = svd.singularValues();
@@ -18,6 +17,20 @@ TruncatedSvd DecomposeScaled(const Eigen::MatrixXd& J, const Eigen::VectorXd& sc
   result.scale = scale;
   SetCut(0.0, &result);
   return result;
+}
+
+}  // namespace
+
+TruncatedSvd DecomposeScaled(const Eigen::MatrixXd& J, const Eigen::VectorXd& scale) {
+  CHECK_EQ(J.cols(), scale.size());
+  CHECK_GE(J.rows(), J.cols());
+  const Eigen::MatrixXd scaled = J * scale.asDiagonal();
+  constexpr unsigned int kThin = Eigen::ComputeThinU | Eigen::ComputeThinV;
+  // Jacobi rotations: the small singular values decide the rank and must be accurate. Of hundreds
+  // of columns (runs, curves) they take seconds, and divide and conquer is accurate to rounding of
+  // the largest value, which the rows themselves are no better than.
+  if (J.cols() < kMany) return Kept(Eigen::JacobiSVD<Eigen::MatrixXd>(scaled, kThin), scale);
+  return Kept(Eigen::BDCSVD<Eigen::MatrixXd>(scaled, kThin), scale);
 }
 
 void SetCut(double cut, TruncatedSvd* svd) {

@@ -86,6 +86,32 @@ struct GramArgs {
   double* sums;     // GramBlocks(num_cols) blocks, aligned
 };
 
+/// products += A'B of some rows, a multiple of kLanes. Columns of each matrix `stride` doubles
+/// apart.
+struct CrossArgs {
+  int num_rows;
+  int cols_A, cols_B;
+  const double* A;
+  std::ptrdiff_t stride_A;
+  const double* B;
+  std::ptrdiff_t stride_B;
+  double* products;  // cols_A x cols_B
+  std::ptrdiff_t stride_products;
+  bool lower_only;  // of a square product: entries above the diagonal may be left out
+};
+
+/// B -= A C, rows of A and B a multiple of kLanes.
+struct DeductArgs {
+  int num_rows;
+  int cols_A, cols_B;
+  const double* A;
+  std::ptrdiff_t stride_A;
+  const double* C;  // cols_A x cols_B
+  std::ptrdiff_t stride_C;
+  double* B;
+  std::ptrdiff_t stride_B;
+};
+
 /// Columns are taken four at a time; sums hold 4 x 4 blocks of the lower triangle, row by row of
 /// blocks, entries of a block row by row, kLanes doubles each.
 constexpr int kGramBlock = 4;
@@ -96,6 +122,8 @@ struct Kernels {
   /// Returns the largest |T|; not-a-number does not count.
   double (*substitute)(const SubstituteArgs& args);
   void (*gram)(const GramArgs& args);
+  void (*cross)(const CrossArgs& args);
+  void (*deduct)(const DeductArgs& args);
 };
 
 // Null where the compiler does not know the level. Constants, so that to look at them runs no

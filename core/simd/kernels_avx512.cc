@@ -7,12 +7,13 @@
 #define DHCAL_SIMD_WIDTH 8
 #include "core/simd/gram_kernel.h"
 #include "core/simd/pose_tile_kernel.h"
+#include "core/simd/product_kernel.h"
 #include "core/simd/substitute_kernel.h"
 
 namespace dhcal::simd {
 namespace {
 
-constexpr Kernels kKernels = {"avx512", EvaluatePoseTile, Substitute, Gram};
+constexpr Kernels kKernels = {"avx512", EvaluatePoseTile, Substitute, Gram, Cross, Deduct};
 
 }  // namespace
 

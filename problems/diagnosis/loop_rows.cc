@@ -31,7 +31,7 @@ VectorXd LeverageOf(const JointModel& model, const JointRows& joint) {
   const int m = joint.rows->coordinates();
   VectorXd leverage(joint.rows->num_readings());
   for (Index k = 0; k < leverage.size(); ++k) {
-    leverage[k] = root.middleCols(k * m, m).squaredNorm() / m;
+    leverage[k] = root.middleRows(k * m, m).squaredNorm() / m;
   }
   return leverage;
 }

@@ -8,6 +8,7 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
+#include "core/math/products.h"
 #include "core/math/statistics.h"
 #include "core/math/tsqr.h"
 
@@ -46,6 +47,20 @@ Eigen::MatrixXd OrthonormalBasis(const Eigen::MatrixXd& J, double relative_cut) 
   return Basis(scaled, relative_cut, /*relative=*/true);
 }
 
+Eigen::MatrixXd BasisBeside(const Eigen::MatrixXd& Q, const Eigen::MatrixXd& columns) {
+  constexpr double kHardly = 1e-8;  // squared
+  const Eigen::MatrixXd scaled = columns * ColumnLengths(columns).cwiseInverse().asDiagonal();
+  const auto beside = [&](const Eigen::MatrixXd& X) {
+    return Deducted(X, Q, TransposedProduct(Q, X));
+  };
+  const Eigen::MatrixXd left = beside(scaled);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(SquareOf(left));
+  Eigen::Index rank = 0;
+  while (rank < columns.cols() && eigen.eigenvalues().reverse()[rank] > kHardly) ++rank;
+  // The second time takes out what rounding of the first has left along Q.
+  return OrthonormalColumns(beside(TallProduct(left, eigen.eigenvectors().rightCols(rank))));
+}
+
 Eigen::VectorXd ColumnLengths(const Eigen::MatrixXd& B) {
   Eigen::VectorXd lengths = B.colwise().norm().transpose();
   for (double& length : lengths) length = length > 0 ? length : 1.0;
@@ -53,15 +68,7 @@ Eigen::VectorXd ColumnLengths(const Eigen::MatrixXd& B) {
 }
 
 Eigen::MatrixXd ThinBasis(const Eigen::MatrixXd& B) {
-  const Eigen::MatrixXd scaled = B * ColumnLengths(B).cwiseInverse().asDiagonal();
-  return Eigen::HouseholderQR<Eigen::MatrixXd>(scaled).householderQ() *
-         Eigen::MatrixXd::Identity(B.rows(), B.cols());
-}
-
-Eigen::MatrixXd GramOf(const Eigen::MatrixXd& B) {
-  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(B.cols(), B.cols());
-  H.selfadjointView<Eigen::Lower>().rankUpdate(B.transpose());
-  return H.selfadjointView<Eigen::Lower>();
+  return OrthonormalColumns(B * ColumnLengths(B).cwiseInverse().asDiagonal());
 }
 
 }  // namespace dhcal

@@ -11,6 +11,7 @@
 #include <Eigen/Cholesky>
 
 #include "core/base/parallel.h"
+#include "core/math/products.h"
 #include "problems/diagnosis/projection.h"
 #include "problems/diagnosis/refit/joint_fit.h"
 
@@ -51,7 +52,7 @@ Bank::Bank(const JointModel& model,
     const auto i = static_cast<std::size_t>(k);
     C_.middleCols(first_[i], items_[i].size) = Columns(items_[i]);
   });
-  T_ = Q_.transpose() * C_;
+  T_ = TransposedProduct(Q_, C_);
   b_ = C_.transpose() * y_ - T_.transpose() * qy_;
   prior_.resize(num_columns_);
   for (std::size_t i = 0; i < items_.size(); ++i) {
@@ -144,7 +145,7 @@ std::vector<int> Bank::ColumnsOfItems(const std::vector<int>& chosen) const {
 MatrixXd Bank::GramRows(const std::vector<int>& chosen) const {
   const auto rows_of = [&](const std::vector<int>& columns) {
     const MatrixXd own = C_(Eigen::all, columns), taken = T_(Eigen::all, columns);
-    MatrixXd G = own.transpose() * C_ - taken.transpose() * T_;
+    MatrixXd G = TransposedProduct(own, C_) - TransposedProduct(taken, T_);
     for (std::size_t k = 0; k < columns.size(); ++k) {
       G(static_cast<Index>(k), columns[k]) += prior_[columns[k]];
     }
@@ -175,7 +176,7 @@ VectorXd Bank::Gains(const std::vector<int>& active) const {
     MatrixXd scaled = G(Eigen::all, columns) * scale.asDiagonal();
     scaled.diagonal().array() += kBankRidge;
     const Eigen::LLT<MatrixXd> factor(scaled);
-    H = factor.matrixL().solve(G);
+    H = DividedByRoot(factor, G);
     const VectorXd right = scale.cwiseProduct(b_(columns));
     const VectorXd half = factor.matrixL().solve(right);
     b -= H.transpose() * half;
@@ -198,9 +199,7 @@ Bank::Rest Bank::RestBeside(const std::vector<int>& active) const {
   rest.basis = Q_;
   rest.y = y_ - Q_ * qy_;
   if (active.empty()) return rest;
-  const MatrixXd columns = C_(Eigen::all, ColumnsOfItems(active));
-  const MatrixXd left = columns - Q_ * (Q_.transpose() * columns);
-  const MatrixXd extra = ThinBasis(left);
+  const MatrixXd extra = BasisBeside(Q_, C_(Eigen::all, ColumnsOfItems(active)));
   rest.basis.conservativeResize(Eigen::NoChange, Q_.cols() + extra.cols());
   rest.basis.rightCols(extra.cols()) = extra;
   rest.y -= extra * (extra.transpose() * rest.y);
@@ -211,7 +210,7 @@ Gram Bank::GramOf(const std::vector<int>& chosen) const {
   const std::vector<int> columns = ColumnsOfItems(chosen);
   const MatrixXd own = C_(Eigen::all, columns), taken = T_(Eigen::all, columns);
   Gram gram;
-  gram.G = own.transpose() * own - taken.transpose() * taken;
+  gram.G = SquareOf(own) - SquareOf(taken);
   gram.G.diagonal() += prior_(columns);
   gram.b = b_(columns);
   gram.norm2 = norm2_(columns);

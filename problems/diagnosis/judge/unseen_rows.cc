@@ -9,6 +9,7 @@
 #include <Eigen/Cholesky>
 
 #include "core/base/rng.h"
+#include "core/math/products.h"
 #include "problems/diagnosis/projection.h"
 #include "problems/diagnosis/refit/joint_fit.h"
 #include "problems/diagnosis/rows/outliers.h"
@@ -89,7 +90,7 @@ UnseenRows::UnseenRows(const JointModel& model,
   const Augmented augmented = AugmentedRows(model, joint, joint.N);
   const Index rows = joint.y().size();
   const MatrixXd priors = augmented.B.bottomRows(augmented.B.rows() - rows);
-  all_.H = GramOf(white_.A) + priors.transpose() * priors;
+  all_.H = SquareOf(white_.A) + priors.transpose() * priors;
   // The members are given back: the priors hold their values, not the steps from here.
   VectorXd held = augmented.y.tail(augmented.y.size() - rows);
   held += priors.middleCols(num_free_, joint.X.cols()) * joint.value;
@@ -138,7 +139,7 @@ void UnseenRows::AddWay(const std::string& method, const std::vector<int>& fold_
     if (part.predicted.empty() || part.predicted.size() == row_of_.size()) continue;
     const MatrixXd A = white_.A(part.predicted, Eigen::all);
     const VectorXd y = white_.y(part.predicted);
-    part.H = all_.H - GramOf(A);
+    part.H = all_.H - SquareOf(A);
     part.b = all_.b - A.transpose() * y;
     way.parts.push_back(std::move(part));
   }
@@ -180,8 +181,8 @@ VectorXd UnseenRows::Residuals(const Way& way, const std::vector<int>& dropped, 
   const std::vector<int> kept = Kept(dropped);
   VectorXd residuals = VectorXd::Zero(rows.y.size());
   for (const Part& part : way.parts) {
-    const VectorXd left = rows.y - rows.A * Solve(part, kept);
-    residuals(part.predicted) = left(part.predicted);
+    const VectorXd x = Solve(part, kept);
+    for (const int row : part.predicted) residuals[row] = rows.y[row] - rows.A.row(row).dot(x);
   }
   return residuals;
 }

@@ -6,6 +6,7 @@
 
 #include <Eigen/QR>
 
+#include "core/math/products.h"
 #include "problems/diagnosis/projection.h"
 
 namespace dhcal {
@@ -119,8 +120,8 @@ MatrixXd ShareOfMasses(const JointModel& model,
   const MatrixXd Q = ThinBasis(augmented.B);
   const auto Q_rows = Q.topRows(joint.y().size());
   const MatrixXd X = joint.X(Eigen::all, elastic);
-  const MatrixXd P = X - Q_rows * (Q_rows.transpose() * X);
-  const MatrixXd R = joint.N - Q_rows * (Q_rows.transpose() * joint.N);
+  const MatrixXd P = Deducted(X, Q_rows, TransposedProduct(Q_rows, X));
+  const MatrixXd R = Deducted(joint.N, Q_rows, TransposedProduct(Q_rows, joint.N));
   const VectorXd lengths = ColumnLengths(P);
   Eigen::ColPivHouseholderQR<MatrixXd> qr(P * lengths.cwiseInverse().asDiagonal());
   qr.setThreshold(1e-8);
@@ -152,7 +153,7 @@ MatrixXd JointCovariance(const JointModel& model, const JointRows& joint) {
 }
 
 NormalFactor::NormalFactor(const MatrixXd& B) : scale_(ColumnLengths(B).cwiseInverse()) {
-  MatrixXd H = scale_.asDiagonal() * GramOf(B) * scale_.asDiagonal();
+  MatrixXd H = scale_.asDiagonal() * SquareOf(B) * scale_.asDiagonal();
   H.diagonal().array() += kSmall;
   factor_.compute(H);
 }
@@ -168,7 +169,9 @@ MatrixXd NormalFactor::Inverse() const {
 }
 
 MatrixXd NormalFactor::Whiten(const MatrixXd& rows) const {
-  return factor_.matrixL().solve(scale_.asDiagonal() * rows.transpose());
+  const Index size = scale_.size();
+  const MatrixXd root = factor_.matrixU().solve(MatrixXd::Identity(size, size));
+  return TallProduct(rows, scale_.asDiagonal() * root);
 }
 
 }  // namespace dhcal

@@ -7,6 +7,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/math/products.h"
 #include "problems/diagnosis/tuning.h"
 
 namespace dhcal {
@@ -105,8 +106,7 @@ const SetValue& SetEvaluator::Evaluate(const ItemSet& set) {
     MatrixXd scaled = scale.asDiagonal() * gram_.G(own, own) * scale.asDiagonal();
     scaled.diagonal().array() += kRidge;
     const VectorXd right = scale.cwiseProduct(gram_.b(own));
-    const VectorXd solved =
-        scale.cwiseProduct(VectorXd(Eigen::LDLT<MatrixXd>(scaled).solve(right)));
+    const VectorXd solved = scale.cwiseProduct(VectorXd(Eigen::LLT<MatrixXd>(scaled).solve(right)));
     value.setZero();
     int worst = -1;
     double worst_size = 0;
@@ -186,7 +186,7 @@ SetEvaluator::Beside SetEvaluator::Condition(const ItemSet& base) const {
   scaled.diagonal().array() += kRidge;
   const Eigen::LLT<MatrixXd> factor(scaled);
   const MatrixXd rows = scale.asDiagonal() * gram_.G(columns, Eigen::all);
-  beside.H = factor.matrixL().solve(rows);
+  beside.H = DividedByRoot(factor, rows);
   const VectorXd right = scale.cwiseProduct(gram_.b(columns));
   const VectorXd half = factor.matrixL().solve(right);
   beside.b -= beside.H.transpose() * half;
