@@ -28,7 +28,7 @@ constexpr Index kSampleRows = 4;
 constexpr std::int64_t kGrowth = 3;
 // The squares of the quotients of all rows that are added to one U must not pass this many times
 // U's own part: then at most 6 of 16 digits are lost in a direction, and rows like those of U stay
-// far below. A block that breaks it alone brings a direction that U has not seen.
+// far below. Rows of a block that break it alone bring a direction that U has not seen.
 constexpr double kLargestSum = 1e6;
 // U is taken as it is while its diagonal entries are at least this share of their columns; else
 // each column gets a row of its own of the second share, far below all that rounding leaves of it.
@@ -175,8 +175,10 @@ void RowReduction::AddBlock(const RowTile& block) {
   Substitute(packs);
   VectorXd squares = SquaresOfQuotients(packs.num_rows);
   if ((squares.array() > kLargestSum).any()) {
-    SetApart(Copied(block, num_cols()));
-    return;
+    padded = WithoutRowsOfNewDirections(Copied(block, num_cols()));
+    packs = {padded.data(), padded.rows(), padded.rows(), nullptr};
+    Substitute(packs);
+    squares = SquaresOfQuotients(packs.num_rows);
   }
   if ((squares_ + squares).maxCoeff() > kLargestSum) {
     Fold();
@@ -208,6 +210,28 @@ void RowReduction::Substitute(const RowTile& packs) {
   args.inverse_diagonal = inverse_diagonal_.data();
   args.T = T_.data();
   kernels_->substitute(args);
+}
+
+MatrixXd RowReduction::WithoutRowsOfNewDirections(const MatrixXd& block) {
+  MatrixXd others =
+      MatrixXd::Zero((block.rows() + simd::kLanes - 1) / simd::kLanes * simd::kLanes, block.cols());
+  MatrixXd apart(block.rows(), block.cols());
+  Index num_apart = 0;
+  for (Index row = 0; row < block.rows(); ++row) {
+    const double* const quotients =
+        T_.data() + row / simd::kLanes * num_cols() * simd::kLanes + row % simd::kLanes;
+    double largest = 0;
+    for (Index col = 0; col < num_cols(); ++col) {
+      largest = std::max(largest, std::abs(quotients[col * simd::kLanes]));
+    }
+    if (largest * largest * kPackedRows > kLargestSum) {
+      apart.row(num_apart++) = block.row(row);
+    } else {
+      others.row(row) = block.row(row);
+    }
+  }
+  SetApart(apart.topRows(num_apart));
+  return others;
 }
 
 VectorXd RowReduction::SquaresOfQuotients(Index rows) const {

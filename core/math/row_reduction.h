@@ -57,6 +57,8 @@ class RowReduction {
   void TakeInApart();
   void Substitute(const RowTile& packs);
   Eigen::VectorXd SquaresOfQuotients(Eigen::Index rows) const;
+  /// The block, whole packs of it, with zeros for the rows that were set apart.
+  Eigen::MatrixXd WithoutRowsOfNewDirections(const Eigen::MatrixXd& block);
   Eigen::MatrixXd Gram() const;
   void Condition();
   void Fold();
