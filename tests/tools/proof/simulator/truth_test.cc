@@ -12,6 +12,7 @@
 #include "tests/support/independent_kinematics.h"
 #include "tests/support/matchers.h"
 #include "tools/proof/simulator/arm.h"
+#include "tools/proof/simulator/arms.h"
 #include "tools/proof/simulator/causes.h"
 #include "tools/proof/simulator/sensor.h"
 #include "tools/proof/simulator/statics.h"

@@ -1,0 +1,254 @@
+#include "tools/proof/random_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "tools/proof/wilson.h"
+
+namespace dhcal {
+namespace {
+
+using Holds = std::function<bool(const RandomScore&)>;
+using Some = std::vector<const RandomScore*>;
+
+Some Those(const Some& scores, const Holds& in) {
+  Some some;
+  std::copy_if(scores.begin(), scores.end(), std::back_inserter(some), [&](const auto* score) {
+    return in(*score);
+  });
+  return some;
+}
+
+Some Ended(const std::vector<RandomScore>& scores) {
+  Some some;
+  for (const RandomScore& score : scores) {
+    if (score.failure.empty()) some.push_back(&score);
+  }
+  return some;
+}
+
+int Count(const Some& scores, const Holds& holds) {
+  return static_cast<int>(Those(scores, holds).size());
+}
+
+RandomRate RateOf(const std::string& name,
+                  const std::string& title,
+                  const Some& of,
+                  const Holds& holds,
+                  double bar,
+                  bool at_most) {
+  return {name, title, Count(of, holds), static_cast<int>(of.size()), bar, at_most};
+}
+
+const char* StrengthOf(const RandomScore& score) {
+  const double visible = score.weakest();
+  return visible < 0.3  ? "rms/sigma below 0.3"
+         : visible < 1  ? "rms/sigma 0.3 to 1"
+         : visible < 3  ? "rms/sigma 1 to 3"
+         : visible < 10 ? "rms/sigma 3 to 10"
+                        : "rms/sigma beyond 10";
+}
+
+std::string CausesOf(const RandomScore& score) {
+  return fmt::format("{} detectable",
+                     std::count_if(score.causes.begin(),
+                                   score.causes.end(),
+                                   [](const CauseScore& cause) { return cause.detectable; }));
+}
+
+std::string TableLine(const std::string& name, const Some& judged) {
+  const auto n = static_cast<int>(judged.size());
+  return fmt::format("  {:<30} {:<24} {:<24} {:<22} {}\n",
+                     name,
+                     RateText(Count(judged, [](const auto& s) { return s.listed; }), n),
+                     RateText(Count(judged, [](const auto& s) { return s.alone; }), n),
+                     RateText(Count(judged, [](const auto& s) { return s.wrong_single; }), n),
+                     RateText(Count(judged, [](const auto& s) { return s.extra; }), n));
+}
+
+std::string Breakdown(const std::string& title,
+                      const Some& judged,
+                      const std::function<std::string(const RandomScore&)>& value) {
+  std::set<std::string> values;
+  for (const RandomScore* const score : judged) values.insert(value(*score));
+  std::string text = title + "\n";
+  for (const std::string& one : values) {
+    text += TableLine(one, Those(judged, [&](const auto& s) { return value(s) == one; }));
+  }
+  return text;
+}
+
+/// Of the detectable ones of each effect: how often it was itself listed, named.
+std::string ByCause(const Some& judged) {
+  struct Counts {
+    int all = 0, listed = 0, named = 0;
+  };
+  std::map<std::string, Counts> counts;
+  for (const RandomScore* const score : judged) {
+    for (const CauseScore& cause : score->causes) {
+      if (!cause.detectable) continue;
+      Counts& of = counts[cause.effect];
+      ++of.all;
+      of.listed += cause.listed ? 1 : 0;
+      of.named += cause.named ? 1 : 0;
+    }
+  }
+  std::string text = "cause (itself, detectable)\n";
+  for (const auto& [effect, of] : counts) {
+    text += fmt::format("  {:<30} {:<24} {:<24}\n",
+                        effect,
+                        RateText(of.listed, of.all),
+                        RateText(of.named, of.all));
+  }
+  return text;
+}
+
+double MedianKept(const Some& judged) {
+  std::vector<int> kept;
+  for (const RandomScore* const score : judged) kept.push_back(score->kept);
+  if (kept.empty()) return 0;
+  std::sort(kept.begin(), kept.end());
+  return kept[kept.size() / 2];
+}
+
+}  // namespace
+
+bool RandomRate::reached() const {
+  if (trials == 0) return true;
+  const double rate = static_cast<double>(hits) / trials;
+  return at_most ? rate <= bar : rate >= bar;
+}
+
+std::vector<RandomRate> RandomRates(const std::vector<RandomScore>& scores) {
+  Some all;
+  for (const RandomScore& score : scores) all.push_back(&score);
+  const Some ended = Ended(scores);
+  const Some judged = Those(ended, [](const auto& s) { return s.judged; });
+  const Some some = Those(ended, [](const auto& s) { return !s.null && !s.outside; });
+  const Some outside = Those(ended, [](const auto& s) { return s.outside; });
+  const Some null = Those(ended, [](const auto& s) { return s.null; });
+  constexpr bool kAtMost = true, kAtLeast = false;
+  const auto wrong = [](const auto& s) { return s.wrong_single; };
+  return {
+      RateOf(
+          "right_or_listed",
+          "right or listed, of detectable",
+          judged,
+          [](const auto& s) { return s.listed; },
+          0.97,
+          kAtLeast),
+      RateOf(
+          "right_alone",
+          "right alone, of detectable",
+          judged,
+          [](const auto& s) { return s.alone; },
+          0.90,
+          kAtLeast),
+      RateOf("wrong_single", "wrong single name, library", some, wrong, 0.01, kAtMost),
+      RateOf(
+          "wrong_outside", "wrong single name, outside the library", outside, wrong, 0.10, kAtMost),
+      RateOf(
+          "extra",
+          "a name that is not there beside the truth",
+          judged,
+          [](const auto& s) { return s.extra; },
+          0.015,
+          kAtMost),
+      RateOf(
+          "geometry_extra",
+          "geometry named that is as stated, or freed",
+          ended,
+          [](const auto& s) { return s.geometry_extra; },
+          0.015,
+          kAtMost),
+      RateOf(
+          "false_alarm",
+          "false alarms where nothing is left out",
+          null,
+          [](const auto& s) { return s.false_alarm; },
+          0.015,
+          kAtMost),
+      RateOf(
+          "contradictions",
+          "reports that contradict themselves",
+          ended,
+          [](const auto& s) { return !s.contradictions.empty(); },
+          0,
+          kAtMost),
+      RateOf(
+          "failures",
+          "cases without a result",
+          all,
+          [](const auto& s) { return !s.failure.empty(); },
+          0,
+          kAtMost)};
+}
+
+std::string RandomTable(const std::vector<RandomScore>& scores) {
+  if (scores.empty()) return "";
+  const Some judged = Those(Ended(scores), [](const auto& s) { return s.judged; });
+  std::string text =
+      fmt::format("random trials: {}; rates with Wilson intervals of 95 %\n", scores.size());
+  for (const RandomRate& rate : RandomRates(scores)) {
+    text += fmt::format("{:<46} {:<26} ({} {:g} %) {}\n",
+                        rate.title,
+                        RateText(rate.hits, rate.trials),
+                        rate.at_most ? "at most" : "at least",
+                        100 * rate.bar,
+                        rate.reached() ? "" : "NOT REACHED");
+  }
+  text += fmt::format("hypotheses kept, median: {:g}\n\n", MedianKept(judged));
+  text += fmt::format("  {:<30} {:<24} {:<24} {:<22} {}\n",
+                      "cases with detectable causes",
+                      "right or listed",
+                      "right alone",
+                      "wrong alone",
+                      "extra");
+  text += TableLine("all", judged);
+  for (const char* const setting : {"estimate",
+                                    "kind",
+                                    "robot",
+                                    "decimals",
+                                    "repeats",
+                                    "targets",
+                                    "tail",
+                                    "outliers",
+                                    "sigma",
+                                    "masses",
+                                    "order",
+                                    "rows",
+                                    "test rows",
+                                    "instrument",
+                                    "setups"}) {
+    text += Breakdown(setting, judged, [setting](const RandomScore& score) {
+      const auto found = score.settings.find(setting);
+      return found == score.settings.end() ? std::string("-") : found->second;
+    });
+  }
+  text += Breakdown("strength of the weakest detectable cause", judged, StrengthOf);
+  text += Breakdown("causes", judged, CausesOf);
+  return text + ByCause(judged);
+}
+
+nlohmann::ordered_json RandomRatesToJson(const std::vector<RandomRate>& rates) {
+  nlohmann::ordered_json array = nlohmann::ordered_json::array();
+  for (const RandomRate& rate : rates) {
+    const RateInterval interval = WilsonInterval(rate.hits, rate.trials);
+    array.push_back({{"name", rate.name},
+                     {"title", rate.title},
+                     {"hits", rate.hits},
+                     {"trials", rate.trials},
+                     {"wilson95", {interval.low, interval.high}},
+                     {"bar", rate.bar},
+                     {"bar_is", rate.at_most ? "at most" : "at least"},
+                     {"reached", rate.reached()}});
+  }
+  return array;
+}
+
+}  // namespace dhcal
