@@ -106,7 +106,7 @@ bool Any(const RandomScore& score, const std::function<bool(const CauseScore&)>&
 }
 
 void ScoreRandomNames(const Json& answer, const Json& diagnosis, RandomScore* score) {
-  bool not_there = false, single = false, physics = false;
+  bool not_there = false, superfluous = false, single = false, physics = false;
   for (const Json& finding : diagnosis.at("findings")) {
     score->findings.push_back(Words(finding));
     if (finding.at("class") == "geometry") {
@@ -116,7 +116,12 @@ void ScoreRandomNames(const Json& answer, const Json& diagnosis, RandomScore* sc
     physics = true;
     if (IsAmong(answer.at("causes"), finding)) continue;
     not_there = true;
-    single = single || finding.at("confusable_with").empty();
+    const Json& others = finding.at("confusable_with");
+    single = single || others.empty();
+    const bool offers = std::any_of(others.begin(), others.end(), [&](const Json& other) {
+      return IsAmong(answer.at("causes"), other);
+    });
+    superfluous = superfluous || !offers;
   }
   const auto is_named = [](const CauseScore& cause) { return cause.named; };
   const auto is_listed = [](const CauseScore& cause) { return cause.listed; };
@@ -127,7 +132,7 @@ void ScoreRandomNames(const Json& answer, const Json& diagnosis, RandomScore* sc
   score->alone = AllDetectable(*score, is_named) && !not_there;
   const bool truth = seen ? score->listed : Any(*score, is_listed);
   score->wrong_single = !score->null && single && !truth;
-  score->extra = score->judged && not_there && truth;
+  score->extra = score->judged && superfluous && truth;
   const bool geometry_only =
       !score->geometry.empty() && !physics && score->verdict != "unexplained";
   score->false_alarm = score->null && score->verdict != "consistent" && !geometry_only;

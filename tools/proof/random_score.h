@@ -41,7 +41,7 @@ struct RandomScore {
   bool alone = false;           // every detectable cause is named, and no physics that is not there
   bool listed = false;          // every detectable cause is named or listed
   bool wrong_single = false;    // a wrong name without alternatives, and the truth is not listed
-  bool extra = false;           // a name that is not there beside the truth
+  bool extra = false;           // a name beside the truth that neither is there nor offers it
   bool geometry_extra = false;  // geometry is named that the file frees, or that is as stated
   bool false_alarm = false;     // where nothing is left out
 

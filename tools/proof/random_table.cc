@@ -202,6 +202,14 @@ std::string RandomTable(const std::vector<RandomScore>& scores) {
                         100 * rate.bar,
                         rate.reached() ? "" : "NOT REACHED");
   }
+  const Some null = Those(Ended(scores), [](const auto& s) { return s.null; });
+  for (const char* const sigma : {"given", "wrong", "missing"}) {
+    const Some of = Those(null, [&](const auto& s) { return s.settings.at("sigma") == sigma; });
+    const int alarms = Count(of, [](const auto& s) { return s.false_alarm; });
+    text += fmt::format("{:<46} {}\n",
+                        fmt::format("  of these with a sigma {}", sigma),
+                        RateText(alarms, static_cast<int>(of.size())));
+  }
   text += fmt::format("hypotheses kept, median: {:g}\n\n", MedianKept(judged));
   text += fmt::format("  {:<30} {:<24} {:<24} {:<22} {}\n",
                       "cases with detectable causes",

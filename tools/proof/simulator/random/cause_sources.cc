@@ -70,7 +70,8 @@ Subject::Subject(const RandomTrial& of) : trial(of) {
     const bool slides = trial.drawing.links[static_cast<std::size_t>(joint) - 1].slides;
     (slides ? sliding : turning).push_back(joint);
     const auto torque = torques.col(joint - 1);
-    if (!slides && torque.maxCoeff() - torque.minCoeff() > kLoadedTorque) loaded.push_back(joint);
+    range_of_torque.push_back(torque.maxCoeff() - torque.minCoeff());
+    if (!slides && range_of_torque.back() > kLoadedTorque) loaded.push_back(joint);
   }
   for (int link = 2; link < n; ++link) {
     const Vector3d beam = screws.end(link - 1).translation() - screws.start(link - 1).translation();
@@ -237,7 +238,8 @@ std::vector<CauseSource> SourcesInTime(const Subject& subject) {
          return Causes{Late(Sign(rng) * strength * 0.3e-3)};
        }},
       {0.7,
-       s.order == Order::kRandom,
+       // Repeats of a pose stand still: the arm settles between them.
+       s.order == Order::kRandom && s.repeats == 1,
        [](const Subject& /*of*/, double strength, Rng* /*rng*/) {
          return Causes{NotSettled(strength * 0.5e-4)};
        }},

@@ -16,8 +16,9 @@ struct Subject {
 
   const RandomTrial& trial;
   std::vector<int> turning, sliding;
-  std::vector<int> loaded;  // gravity's torque varies
-  std::vector<int> beams;   // links that are long enough to bend, the column not among them
+  std::vector<double> range_of_torque;  // [N m] of each joint over the poses
+  std::vector<int> loaded;              // gravity's torque varies
+  std::vector<int> beams;  // links that are long enough to bend, the column not among them
 
   int num_joints() const { return trial.built.num_joints(); }
   double duration() const { return trial.motion.time[trial.motion.num_poses() - 1]; }

@@ -2,6 +2,8 @@
 #ifndef DHCAL_TOOLS_PROOF_SIMULATOR_RANDOM_POSES_H_
 #define DHCAL_TOOLS_PROOF_SIMULATOR_RANDOM_POSES_H_
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "core/base/rng.h"

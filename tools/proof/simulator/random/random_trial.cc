@@ -1,5 +1,6 @@
 #include "tools/proof/simulator/random/random_trial.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tools/proof/simulator/random/draw.h"

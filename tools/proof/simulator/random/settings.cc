@@ -1,6 +1,7 @@
 #include "tools/proof/simulator/random/settings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/base/units.h"
