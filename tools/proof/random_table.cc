@@ -54,6 +54,18 @@ const char* StrengthOf(const RandomScore& score) {
                         : "rms/sigma beyond 10";
 }
 
+/// A setting in words; rows in bins.
+std::string SettingOf(const RandomScore& score, const std::string& setting) {
+  const auto found = score.settings.find(setting);
+  if (found == score.settings.end()) return "-";
+  if (setting != "rows") return found->second;
+  const int rows = std::stoi(found->second);
+  return rows <= 100   ? "60 to 100"
+         : rows <= 200 ? "101 to 200"
+         : rows <= 400 ? "201 to 400"
+                       : "more than 400";
+}
+
 std::string CausesOf(const RandomScore& score) {
   return fmt::format("{} detectable",
                      std::count_if(score.causes.begin(),
@@ -233,10 +245,8 @@ std::string RandomTable(const std::vector<RandomScore>& scores) {
                                     "test rows",
                                     "instrument",
                                     "setups"}) {
-    text += Breakdown(setting, judged, [setting](const RandomScore& score) {
-      const auto found = score.settings.find(setting);
-      return found == score.settings.end() ? std::string("-") : found->second;
-    });
+    text += Breakdown(
+        setting, judged, [setting](const auto& score) { return SettingOf(score, setting); });
   }
   text += Breakdown("strength of the weakest detectable cause", judged, StrengthOf);
   text += Breakdown("causes", judged, CausesOf);

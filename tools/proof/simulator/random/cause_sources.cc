@@ -85,6 +85,10 @@ double Subject::UsualCompliance(int joint) const {
   return main ? trial.drawing.main_compliance : trial.drawing.wrist_compliance;
 }
 
+double Subject::RangeOfTorque(int joint) const {
+  return range_of_torque[static_cast<std::size_t>(joint) - 1];
+}
+
 std::vector<CauseSource> SourcesOfLoads(const Subject& subject) {
   const bool loaded = !subject.loaded.empty();
   // Joint 2 carries the spring; the one that carries no load has no use for it.
@@ -100,9 +104,8 @@ std::vector<CauseSource> SourcesOfLoads(const Subject& subject) {
            loaded,
            [](const Subject& of, double strength, Rng* rng) {
              const int joint = DrawFrom(of.loaded, rng);
-             const double reach = 0.2 * 9.81 * of.trial.drawing.links[0].mass;
-             return Causes{YieldsSoftly(
-                 joint, strength * of.UsualCompliance(joint), reach * rng->Uniform(0.3, 1.5))};
+             const double soft = of.RangeOfTorque(joint) * rng->Uniform(0.05, 0.3);
+             return Causes{YieldsSoftly(joint, strength * of.UsualCompliance(joint), soft)};
            }},
           {1,
            lifts,
@@ -125,7 +128,8 @@ std::vector<CauseSource> SourcesOfLoads(const Subject& subject) {
            }},
           {1, loaded, [](const Subject& of, double strength, Rng* rng) {
              const int joint = DrawFrom(of.loaded, rng);
-             const double preload = 0.02 * 9.81 * of.trial.drawing.links[0].mass;
+             // As of a KR 15's second joint: near zero torque the approach decides.
+             const double preload = 0.015 * of.RangeOfTorque(joint);
              return Causes{PlaysUnderLoad(joint, strength * 1e-4, preload)};
            }}};
 }

@@ -16,7 +16,7 @@ struct Subject {
 
   const RandomTrial& trial;
   std::vector<int> turning, sliding;
-  std::vector<double> range_of_torque;  // [N m] of each joint over the poses
+  std::vector<double> range_of_torque;  // [N m], slides [N], of each joint over the poses
   std::vector<int> loaded;              // gravity's torque varies
   std::vector<int> beams;  // links that are long enough to bend, the column not among them
 
@@ -24,6 +24,7 @@ struct Subject {
   double duration() const { return trial.motion.time[trial.motion.num_poses() - 1]; }
   /// Usual compliance of a joint [rad/(N m)].
   double UsualCompliance(int joint) const;
+  double RangeOfTorque(int joint) const;
 };
 
 struct CauseSource {

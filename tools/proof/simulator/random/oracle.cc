@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 #include "tools/proof/simulator/random/observe.h"
@@ -163,6 +162,29 @@ MatrixXd Beside(const MatrixXd& geometry, const MatrixXd& signals, Index cause) 
   return known;
 }
 
+/// The rows, from 0, that carry most of what is left of a signature.
+std::vector<Index> StrongestRows(const VectorXd& left, int width) {
+  constexpr std::size_t kFewest = 6;
+  constexpr double kShare = 0.03;
+  const auto rows = static_cast<std::size_t>(left.size() / width);
+  std::vector<Index> order(rows);
+  std::iota(order.begin(), order.end(), 0);
+  const auto square = [&](Index row) { return left.segment(width * row, width).squaredNorm(); };
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return square(a) > square(b); });
+  order.resize(std::min(
+      rows, std::max(kFewest, static_cast<std::size_t>(kShare * static_cast<double>(rows)))));
+  return order;
+}
+
+/// A signature that few rows carry looks like outliers: what remains of it without these counts.
+Visibility CarriedByMany(VectorXd signal, MatrixXd known, int width, double noise, int parameters) {
+  for (const Index row : StrongestRows(WithoutKnown(signal, known), width)) {
+    signal.segment(width * row, width).setZero();
+    known.middleRows(width * row, width).setZero();
+  }
+  return VisibilityOf(signal, known, noise, parameters);
+}
+
 bool NeedsMasses(const Cause& cause) {
   return cause.effect == "joint_compliance" || cause.effect == "link_bending" ||
          cause.effect == "base_compliance";
@@ -229,10 +251,13 @@ void WeighCauses(RandomTrial* trial) {
     // Without masses a load has several unknowns.
     constexpr int kMoments = 3;
     const bool guessed = s.masses != Said::kRight && NeedsMasses(cause);
-    cause.visibility = VisibilityOf(signals.col(static_cast<Index>(k)),
-                                    known,
-                                    1 / std::sqrt(counts),
-                                    cause.parameters + (guessed ? kMoments : 0));
+    const VectorXd signal = signals.col(static_cast<Index>(k));
+    const double one = 1 / std::sqrt(counts);
+    const int parameters = cause.parameters + (guessed ? kMoments : 0);
+    cause.visibility = VisibilityOf(signal, known, one, parameters);
+    const Visibility of_many =
+        CarriedByMany(signal, known, CoordinatesPerRow(s.kind), one, parameters);
+    cause.visibility.power = std::min(cause.visibility.power, of_many.power);
   }
 }
 

@@ -11,7 +11,8 @@ namespace dhcal::concealed {
 
 /// Fills in the causes' visibility; its RMS are in effective noises of a coordinate. That noise
 /// holds, beside the instrument's (or the larger one that the file states), what the joint angles'
-/// missing digits do at the pose. Repeats of a pose count as one, outliers as lost.
+/// missing digits do at the pose. Repeats of a pose count as one, outliers as lost; the power is
+/// that without the few rows that carry most, which look like outliers.
 void WeighCauses(RandomTrial* trial);
 
 /// Effective noise [m], [rad] of every coordinate of `Observe`.

@@ -96,6 +96,26 @@ TEST(Oracle, WhatTheGeometryDoesIsInvisible) {
   EXPECT_GT(trial.causes[0].visibility.raw_rms, 1);
 }
 
+TEST(Oracle, WhatAFewRowsCarryLooksLikeOutliers) {
+  // A joint that is off by much in four rows, or by as many squares in a hundred.
+  const auto off = [](int every, double angle) {
+    RandomTrial trial = MeshTrial();
+    for (Eigen::Index row = 0; row < trial.motion.q.rows(); ++row) {
+      trial.motion.q(row, 0) = row % every == 0 ? 2.0 + 1e-3 * static_cast<double>(row % 7)
+                                                : trial.motion.q(row, 0) * 0.4;
+    }
+    trial.causes[0].apply = [=](Physics* physics, double scale) {
+      physics->drives[0].form = [=](double q) { return q > 1.9 ? scale * angle : 0.0; };
+    };
+    WeighCauses(&trial);
+    return trial.causes[0].visibility;
+  };
+  const Visibility few = off(100, 1e-3), many = off(4, 2e-4);
+  EXPECT_NEAR(few.lambda / many.lambda, 1, 0.5);
+  EXPECT_LT(few.power, 0.5);
+  EXPECT_GT(many.power, 0.99);
+}
+
 TEST(EffectiveNoise, HoldsWhatTheMissingDigitsDo) {
   RandomTrial trial = MeshTrial();
   trial.settings.decimals = 2;

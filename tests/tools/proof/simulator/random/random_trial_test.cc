@@ -118,7 +118,8 @@ TEST(RandomPoses, StayInTheRangeAndRepeatsStandStill) {
     const Eigen::MatrixXd off = (motion.q.rowwise() - arm.middle.transpose()).cwiseAbs();
     EXPECT_LE((off.rowwise() - arm.wide.transpose()).maxCoeff(), 1e-12);
     for (int row = 0; row < motion.num_poses(); ++row) {
-      if (row % s.repeats > 0) EXPECT_EQ(motion.q.row(row), motion.q.row(row - 1));
+      if (row % s.repeats == 0) continue;
+      EXPECT_EQ(motion.q.row(row), motion.q.row(row - 1));
     }
     if (s.order != Order::kStreamed) continue;
     // Speeds are those of the path.
