@@ -19,6 +19,7 @@
 
 #include "core/base/parallel.h"
 #include "tools/proof/case_run.h"
+#include "tools/proof/random_rates.h"
 #include "tools/proof/random_suite.h"
 #include "tools/proof/random_table.h"
 #include "tools/proof/run_program.h"

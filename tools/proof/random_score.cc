@@ -58,6 +58,14 @@ bool IsAmong(const Json& causes, const Json& finding) {
       causes.begin(), causes.end(), [&](const Json& cause) { return Names(finding, cause); });
 }
 
+/// A cause is among the alternatives of a name.
+bool OffersTruth(const Json& answer, const Json& finding) {
+  const Json& others = finding.at("confusable_with");
+  return std::any_of(others.begin(), others.end(), [&](const Json& other) {
+    return IsAmong(answer.at("causes"), other);
+  });
+}
+
 /// Geometry that is off: as put in; or of each run, where the instrument was set up anew.
 bool IsOff(const Json& answer, const Json& finding) {
   const std::string effect = finding.at("effect");
@@ -109,18 +117,15 @@ void ScoreRandomNames(const Json& answer, const Json& diagnosis, RandomScore* sc
   bool not_there = false, superfluous = false, single = false, physics = false;
   for (const Json& finding : diagnosis.at("findings")) {
     score->findings.push_back(Words(finding));
+    const bool offers = OffersTruth(answer, finding);
     if (finding.at("class") == "geometry") {
-      score->geometry_extra = score->geometry_extra || !IsOff(answer, finding);
+      score->geometry_extra = score->geometry_extra || !(offers || IsOff(answer, finding));
       continue;
     }
     physics = true;
     if (IsAmong(answer.at("causes"), finding)) continue;
     not_there = true;
-    const Json& others = finding.at("confusable_with");
-    single = single || others.empty();
-    const bool offers = std::any_of(others.begin(), others.end(), [&](const Json& other) {
-      return IsAmong(answer.at("causes"), other);
-    });
+    single = single || finding.at("confusable_with").empty();
     superfluous = superfluous || !offers;
   }
   const auto is_named = [](const CauseScore& cause) { return cause.named; };

@@ -8,42 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "tools/proof/random_rates.h"
 #include "tools/proof/wilson.h"
 
 namespace dhcal {
 namespace {
-
-using Holds = std::function<bool(const RandomScore&)>;
-using Some = std::vector<const RandomScore*>;
-
-Some Those(const Some& scores, const Holds& in) {
-  Some some;
-  std::copy_if(scores.begin(), scores.end(), std::back_inserter(some), [&](const auto* score) {
-    return in(*score);
-  });
-  return some;
-}
-
-Some Ended(const std::vector<RandomScore>& scores) {
-  Some some;
-  for (const RandomScore& score : scores) {
-    if (score.failure.empty()) some.push_back(&score);
-  }
-  return some;
-}
-
-int Count(const Some& scores, const Holds& holds) {
-  return static_cast<int>(Those(scores, holds).size());
-}
-
-RandomRate RateOf(const std::string& name,
-                  const std::string& title,
-                  const Some& of,
-                  const Holds& holds,
-                  double bar,
-                  bool at_most) {
-  return {name, title, Count(of, holds), static_cast<int>(of.size()), bar, at_most};
-}
 
 const char* StrengthOf(const RandomScore& score) {
   const double visible = score.weakest();
@@ -73,7 +42,7 @@ std::string CausesOf(const RandomScore& score) {
                                    [](const CauseScore& cause) { return cause.detectable; }));
 }
 
-std::string TableLine(const std::string& name, const Some& judged) {
+std::string TableLine(const std::string& name, const RandomScores& judged) {
   const auto n = static_cast<int>(judged.size());
   return fmt::format("  {:<30} {:<24} {:<24} {:<22} {}\n",
                      name,
@@ -84,7 +53,7 @@ std::string TableLine(const std::string& name, const Some& judged) {
 }
 
 std::string Breakdown(const std::string& title,
-                      const Some& judged,
+                      const RandomScores& judged,
                       const std::function<std::string(const RandomScore&)>& value) {
   std::set<std::string> values;
   for (const RandomScore* const score : judged) values.insert(value(*score));
@@ -96,7 +65,7 @@ std::string Breakdown(const std::string& title,
 }
 
 /// Of the detectable ones of each effect: how often it was itself listed, named.
-std::string ByCause(const Some& judged) {
+std::string ByCause(const RandomScores& judged) {
   struct Counts {
     int all = 0, listed = 0, named = 0;
   };
@@ -120,7 +89,7 @@ std::string ByCause(const Some& judged) {
   return text;
 }
 
-double MedianKept(const Some& judged) {
+double MedianKept(const RandomScores& judged) {
   std::vector<int> kept;
   for (const RandomScore* const score : judged) kept.push_back(score->kept);
   if (kept.empty()) return 0;
@@ -130,80 +99,9 @@ double MedianKept(const Some& judged) {
 
 }  // namespace
 
-bool RandomRate::reached() const {
-  if (trials == 0) return true;
-  const double rate = static_cast<double>(hits) / trials;
-  return at_most ? rate <= bar : rate >= bar;
-}
-
-std::vector<RandomRate> RandomRates(const std::vector<RandomScore>& scores) {
-  Some all;
-  for (const RandomScore& score : scores) all.push_back(&score);
-  const Some ended = Ended(scores);
-  const Some judged = Those(ended, [](const auto& s) { return s.judged; });
-  const Some some = Those(ended, [](const auto& s) { return !s.null && !s.outside; });
-  const Some outside = Those(ended, [](const auto& s) { return s.outside; });
-  const Some null = Those(ended, [](const auto& s) { return s.null; });
-  constexpr bool kAtMost = true, kAtLeast = false;
-  const auto wrong = [](const auto& s) { return s.wrong_single; };
-  return {
-      RateOf(
-          "right_or_listed",
-          "right or listed, of detectable",
-          judged,
-          [](const auto& s) { return s.listed; },
-          0.97,
-          kAtLeast),
-      RateOf(
-          "right_alone",
-          "right alone, of detectable",
-          judged,
-          [](const auto& s) { return s.alone; },
-          0.90,
-          kAtLeast),
-      RateOf("wrong_single", "wrong single name, library", some, wrong, 0.01, kAtMost),
-      RateOf(
-          "wrong_outside", "wrong single name, outside the library", outside, wrong, 0.10, kAtMost),
-      RateOf(
-          "extra",
-          "a name that is not there beside the truth",
-          judged,
-          [](const auto& s) { return s.extra; },
-          0.015,
-          kAtMost),
-      RateOf(
-          "geometry_extra",
-          "geometry named that is as stated, or freed",
-          ended,
-          [](const auto& s) { return s.geometry_extra; },
-          0.015,
-          kAtMost),
-      RateOf(
-          "false_alarm",
-          "false alarms where nothing is left out",
-          null,
-          [](const auto& s) { return s.false_alarm; },
-          0.015,
-          kAtMost),
-      RateOf(
-          "contradictions",
-          "reports that contradict themselves",
-          ended,
-          [](const auto& s) { return !s.contradictions.empty(); },
-          0,
-          kAtMost),
-      RateOf(
-          "failures",
-          "cases without a result",
-          all,
-          [](const auto& s) { return !s.failure.empty(); },
-          0,
-          kAtMost)};
-}
-
 std::string RandomTable(const std::vector<RandomScore>& scores) {
   if (scores.empty()) return "";
-  const Some judged = Those(Ended(scores), [](const auto& s) { return s.judged; });
+  const RandomScores judged = Those(Ended(scores), [](const auto& s) { return s.judged; });
   std::string text =
       fmt::format("random trials: {}; rates with Wilson intervals of 95 %\n", scores.size());
   for (const RandomRate& rate : RandomRates(scores)) {
@@ -214,9 +112,10 @@ std::string RandomTable(const std::vector<RandomScore>& scores) {
                         100 * rate.bar,
                         rate.reached() ? "" : "NOT REACHED");
   }
-  const Some null = Those(Ended(scores), [](const auto& s) { return s.null; });
+  const RandomScores null = Those(Ended(scores), [](const auto& s) { return s.null; });
   for (const char* const sigma : {"given", "wrong", "missing"}) {
-    const Some of = Those(null, [&](const auto& s) { return s.settings.at("sigma") == sigma; });
+    const RandomScores of =
+        Those(null, [&](const auto& s) { return s.settings.at("sigma") == sigma; });
     const int alarms = Count(of, [](const auto& s) { return s.false_alarm; });
     text += fmt::format("{:<46} {}\n",
                         fmt::format("  of these with a sigma {}", sigma),
@@ -251,22 +150,6 @@ std::string RandomTable(const std::vector<RandomScore>& scores) {
   text += Breakdown("strength of the weakest detectable cause", judged, StrengthOf);
   text += Breakdown("causes", judged, CausesOf);
   return text + ByCause(judged);
-}
-
-nlohmann::ordered_json RandomRatesToJson(const std::vector<RandomRate>& rates) {
-  nlohmann::ordered_json array = nlohmann::ordered_json::array();
-  for (const RandomRate& rate : rates) {
-    const RateInterval interval = WilsonInterval(rate.hits, rate.trials);
-    array.push_back({{"name", rate.name},
-                     {"title", rate.title},
-                     {"hits", rate.hits},
-                     {"trials", rate.trials},
-                     {"wilson95", {interval.low, interval.high}},
-                     {"bar", rate.bar},
-                     {"bar_is", rate.at_most ? "at most" : "at least"},
-                     {"reached", rate.reached()}});
-  }
-  return array;
 }
 
 }  // namespace dhcal

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tools/proof/random_rates.h"
 #include "tools/proof/random_table.h"
 
 namespace dhcal {
@@ -162,6 +163,12 @@ TEST(RandomScores, GeometryThatIsOffMayBeNamedAndNoOther) {
       ScoreRandomCase(runs, ResultWith("explained", {Found("base_per_run", 0, "geometry"), base}));
   EXPECT_TRUE(moved.alone);
   EXPECT_FALSE(moved.geometry_extra);
+  Json offering = Found("base_per_run", 0, "geometry");
+  offering["confusable_with"] = {Name("base_step", 0)};
+  const RandomScore offered =
+      ScoreRandomCase(AnswerWith({CauseOf("base_step", 0)}), ResultWith("ambiguous", {offering}));
+  EXPECT_FALSE(offered.geometry_extra);
+  EXPECT_TRUE(offered.listed);
 }
 
 TEST(RandomTables, GiveRatesWithIntervalsAndSayWhichBarIsNotReached) {

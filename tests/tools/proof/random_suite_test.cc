@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/sanitized.h"
+#include "tools/proof/random_rates.h"
 #include "tools/proof/random_table.h"
 
 namespace dhcal {

@@ -27,13 +27,15 @@ struct Subject {
   double RangeOfTorque(int joint) const;
 };
 
+using Causes = std::vector<Cause>;
+
 struct CauseSource {
   double weight = 1;
   bool possible = true;
-  std::function<std::vector<Cause>(const Subject&, double strength, Rng*)> draw;
+  std::function<Causes(const Subject&, double strength, Rng*)> draw;
 };
 
-/// Of the library: loads and gears, then what depends on the clock, the row or the run.
+/// Of the library: loads, joints, and what depends on the clock, the row or the run.
 std::vector<CauseSource> SourcesOfLoads(const Subject& subject);
 std::vector<CauseSource> SourcesOfJoints(const Subject& subject);
 std::vector<CauseSource> SourcesInTime(const Subject& subject);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/units.h"
+
 namespace dhcal::concealed {
 
 bool Chance(double probability, Rng* rng) { return rng->Uniform(0, 1) < probability; }
@@ -28,6 +30,16 @@ double DrawLogUniform(double low, double high, Rng* rng) {
 Eigen::Vector3d DrawDirection(Rng* rng) {
   const double x = rng->Normal(), y = rng->Normal(), z = rng->Normal();
   return Eigen::Vector3d(x, y, z).normalized();
+}
+
+double DrawPhase(Rng* rng) { return rng->Uniform(-kPi, kPi); }
+
+double DrawSign(Rng* rng) { return Chance(0.5, rng) ? 1 : -1; }
+
+int DrawOther(const std::vector<int>& values, int than, Rng* rng) {
+  int other = than;
+  while (other == than) other = DrawFrom(values, rng);
+  return other;
 }
 
 double DrawValue(const std::vector<Weighted>& values, Rng* rng) {

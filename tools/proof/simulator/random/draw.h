@@ -24,6 +24,13 @@ double DrawLogUniform(double low, double high, Rng* rng);
 /// A direction in space, all alike.
 Eigen::Vector3d DrawDirection(Rng* rng);
 
+/// An angle of a full turn, and 1 or -1.
+double DrawPhase(Rng* rng);
+double DrawSign(Rng* rng);
+
+/// One of several different values that is not `than`.
+int DrawOther(const std::vector<int>& values, int than, Rng* rng);
+
 struct Weighted {
   double value = 0, weight = 0;
 };

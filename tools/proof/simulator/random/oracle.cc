@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
 #include <vector>
 
+#include "tools/proof/simulator/random/movers.h"
 #include "tools/proof/simulator/random/observe.h"
 #include "tools/proof/simulator/random/poses.h"
-#include "tools/proof/simulator/screw.h"
 #include "tools/proof/simulator/truth.h"
 #include "tools/proof/simulator/visibility.h"
 
@@ -18,93 +17,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Isometry3d;
 using Eigen::MatrixXd;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-constexpr double kStepOfFreedom = 1e-5;  // [rad] or [m], of central differences
-constexpr double kStepOfMass = 0.01;     // [kg], [m] of the centre
-
-struct World {
-  Arm arm;
-  Physics physics;
-};
-using Mover = std::function<void(World*, double)>;
-
-Mover TurnFrame(Isometry3d Arm::*frame, int axis) {
-  return [frame, axis](World* world, double x) {
-    Isometry3d& X = world->arm.*frame;
-    X = X * Displacement(x * Vector3d::Unit(axis), Vector3d::Zero());
-  };
-}
-
-/// Rows and tilts of parallel axes.
-void AddRows(const RandomTrial& trial, std::vector<Mover>* movers) {
-  const int n = trial.built.num_joints();
-  for (std::size_t i = 0; i < trial.built.links.size(); ++i) {
-    for (double DrawnLink::*const member :
-         {&DrawnLink::theta, &DrawnLink::d, &DrawnLink::a, &DrawnLink::alpha}) {
-      movers->emplace_back(
-          [i, member](World* world, double x) { world->arm.links[i].*member += x; });
-    }
-  }
-  for (int joint = 0, row = 0; joint < n; ++joint) {
-    if (!DrawnParallel(trial.drawing, joint, &row)) continue;
-    const auto i = static_cast<std::size_t>(row);
-    movers->emplace_back([i](World* world, double x) { world->arm.links[i].beta += x; });
-  }
-}
-
-void AddFrames(const RandomTrial& trial, std::vector<Mover>* movers) {
-  for (int axis = 0; axis < 3; ++axis) {
-    movers->push_back(TurnFrame(&Arm::base, axis));
-    movers->emplace_back(
-        [axis](World* world, double x) { world->arm.base.translation()[axis] += x; });
-    for (std::size_t run = 1; run < trial.setups.size(); ++run) {
-      movers->emplace_back([run, axis](World* world, double x) {
-        world->physics.base_of_run[run].shift[axis] += x;
-      });
-      movers->emplace_back(
-          [run, axis](World* world, double x) { world->physics.base_of_run[run].turn[axis] += x; });
-    }
-    movers->push_back(TurnFrame(&Arm::tool, axis));
-    movers->emplace_back(
-        [axis](World* world, double x) { world->arm.tool.translation()[axis] += x; });
-    for (std::size_t k = 0; k < trial.built.targets.size(); ++k) {
-      movers->emplace_back(
-          [k, axis](World* world, double x) { world->arm.targets[k].translation()[axis] += x; });
-      movers->emplace_back([k, axis](World* world, double x) {
-        Isometry3d& target = world->arm.targets[k];
-        target = target * Displacement(x * Vector3d::Unit(axis), Vector3d::Zero());
-      });
-    }
-  }
-}
-
-VectorXd Seen(const RandomTrial& trial,
-              const World& world,
-              const std::vector<Isometry3d>& reference) {
-  return Observe(trial,
-                 TruePoses(world.arm, world.physics, trial.motion),
-                 reference,
-                 world.physics.length_offset);
-}
-
-/// Derivatives of all coordinates by central differences.
-MatrixXd Derivatives(const RandomTrial& trial,
-                     const World& world,
-                     const std::vector<Mover>& movers,
-                     double step) {
-  const std::vector<Isometry3d> reference = TruePoses(world.arm, world.physics, trial.motion);
-  MatrixXd derivatives(Seen(trial, world, reference).size(), static_cast<Index>(movers.size()));
-  for (std::size_t k = 0; k < movers.size(); ++k) {
-    World more = world, less = world;
-    movers[k](&more, step);
-    movers[k](&less, -step);
-    derivatives.col(static_cast<Index>(k)) =
-        (Seen(trial, more, reference) - Seen(trial, less, reference)) / (2 * step);
-  }
-  return derivatives;
-}
 
 /// Differences of readings that neighbours share say of the positions all but a constant of each
 /// run.
@@ -117,18 +30,6 @@ MatrixXd RunConstants(const RandomTrial& trial) {
     constants.block<3, 3>(3 * row, 3 * run).setIdentity();
   }
   return constants;
-}
-
-std::vector<Mover> MassMovers(const Arm& arm) {
-  std::vector<Mover> movers;
-  for (std::size_t i = 0; i < arm.links.size(); ++i) {
-    movers.emplace_back([i](World* world, double x) { world->arm.links[i].mass += x; });
-    for (int axis = 0; axis < 3; ++axis) {
-      movers.emplace_back(
-          [i, axis](World* world, double x) { world->arm.links[i].com[axis] += x; });
-    }
-  }
-  return movers;
 }
 
 /// What each cause adds to the readings, given the others.
@@ -198,16 +99,9 @@ VectorXd EffectiveNoise(const RandomTrial& trial) {
   const double said = std::max(1.0, s.sigma_factor);
   RandomTrial standing = trial;
   if (s.kind == Kind::kAdjacent) standing.settings.shared_pose = true;  // as positions
-  std::vector<Mover> joints;
-  for (std::size_t i = 0; i < trial.built.links.size(); ++i) {
-    joints.emplace_back([i](World* world, double x) {
-      DrawnLink& link = world->arm.links[i];
-      (link.slides ? link.d : link.theta) += x;
-    });
-  }
   const World rigid{trial.built, StatedPhysics(trial)};
   const VectorXd quanta = ReadOutQuanta(s, trial.built) / std::sqrt(12.0);
-  const MatrixXd levers = Derivatives(standing, rigid, joints, kStepOfFreedom);
+  const MatrixXd levers = Derivatives(standing, rigid, JointMovers(trial.built), kStepOfGeometry);
   VectorXd variance = (levers * quanta.asDiagonal()).rowwise().squaredNorm();
   const bool differences = s.kind == Kind::kAdjacent && !s.shared_pose;
   if (differences) variance *= 2;  // both ends are rounded
@@ -223,11 +117,8 @@ void WeighCauses(RandomTrial* trial) {
   if (trial->causes.empty()) return;
   const Settings& s = trial->settings;
   const VectorXd noise = EffectiveNoise(*trial);
-  std::vector<Mover> freedoms;
-  AddRows(*trial, &freedoms);
-  AddFrames(*trial, &freedoms);
   const World rigid{trial->built, StatedPhysics(*trial)};
-  const MatrixXd derivatives = Derivatives(*trial, rigid, freedoms, kStepOfFreedom);
+  const MatrixXd derivatives = Derivatives(*trial, rigid, GeometryMovers(*trial), kStepOfGeometry);
   const MatrixXd constants = RunConstants(*trial);
   MatrixXd geometry(derivatives.rows(), derivatives.cols() + constants.cols());
   if (constants.cols() > 0) {
