@@ -89,6 +89,22 @@ std::string ByCause(const RandomScores& judged) {
   return text;
 }
 
+/// False alarms where nothing is left out, by the values of a setting.
+std::string AlarmsBy(const RandomScores& null, const std::string& setting) {
+  std::set<std::string> values;
+  for (const RandomScore* const score : null) values.insert(SettingOf(*score, setting));
+  std::string text;
+  for (const std::string& value : values) {
+    const RandomScores of =
+        Those(null, [&](const auto& s) { return SettingOf(s, setting) == value; });
+    const int alarms = Count(of, [](const auto& s) { return s.false_alarm; });
+    text += fmt::format("  {:<44} {}\n",
+                        fmt::format("false alarms, {} {}", setting, value),
+                        RateText(alarms, static_cast<int>(of.size())));
+  }
+  return text;
+}
+
 double MedianKept(const RandomScores& judged) {
   std::vector<int> kept;
   for (const RandomScore* const score : judged) kept.push_back(score->kept);
@@ -113,14 +129,7 @@ std::string RandomTable(const std::vector<RandomScore>& scores) {
                         rate.reached() ? "" : "NOT REACHED");
   }
   const RandomScores null = Those(Ended(scores), [](const auto& s) { return s.null; });
-  for (const char* const sigma : {"given", "wrong", "missing"}) {
-    const RandomScores of =
-        Those(null, [&](const auto& s) { return s.settings.at("sigma") == sigma; });
-    const int alarms = Count(of, [](const auto& s) { return s.false_alarm; });
-    text += fmt::format("{:<46} {}\n",
-                        fmt::format("  of these with a sigma {}", sigma),
-                        RateText(alarms, static_cast<int>(of.size())));
-  }
+  for (const char* const setting : {"sigma", "order"}) text += AlarmsBy(null, setting);
   text += fmt::format("hypotheses kept, median: {:g}\n\n", MedianKept(judged));
   text += fmt::format("  {:<30} {:<24} {:<24} {:<22} {}\n",
                       "cases with detectable causes",

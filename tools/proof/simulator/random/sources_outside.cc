@@ -10,7 +10,7 @@ namespace dhcal::concealed {
 namespace {
 
 /// A curve of the joint's own angle, as transmission_error draws it; where a single line of it does
-/// for such readings, gear_harmonic says the same.
+/// for such readings, gear_harmonic says the same. So does friction of a joint that moves one way.
 Cause CurveOfJoint(Cause cause) {
   cause.also = {"transmission_error", "gear_harmonic"};
   return cause;
@@ -59,8 +59,10 @@ std::vector<CauseSource> SourcesOutside(const Subject& /*subject*/) {
            }},
           {1, true, [](const Subject& of, double strength, Rng* rng) {
              const double order = 1.0 + DrawInt(3, rng);
-             return Causes{
-                 RubsByAngle(DrawFrom(of.turning, rng), strength * 0.5e-4, order, DrawPhase(rng))};
+             const int joint = DrawFrom(of.turning, rng);
+             const Cause cause = RubsByAngle(joint, strength * 0.5e-4, order, DrawPhase(rng));
+             const bool one_way = joint == 1 && of.trial.settings.order == Order::kSorted;
+             return Causes{one_way ? CurveOfJoint(cause) : cause};
            }}};
 }
 
