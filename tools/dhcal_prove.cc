@@ -1,6 +1,7 @@
 // Proves the diagnosis on recordings whose answer the program is not told.
 //
 //   dhcal_prove --out DIR [--quick] [--seeds N] [--only D4,D5] [--jobs N]
+//   dhcal_prove --out DIR --random N [--first SEED] [--only D4,D5] [--jobs N]
 //
 // Makes recordings of arms with left-out physics (tools/proof/simulator, which shares nothing with
 // the identification), runs ceres_dhcal on each as a user would, opens the sealed answers and
@@ -17,6 +18,10 @@
 #include <gflags/gflags.h>
 
 #include "core/base/parallel.h"
+#include "tools/proof/case_run.h"
+#include "tools/proof/random_rates.h"
+#include "tools/proof/random_suite.h"
+#include "tools/proof/random_table.h"
 #include "tools/proof/run_program.h"
 #include "tools/proof/simulator/scenarios.h"
 #include "tools/proof/suite.h"
@@ -26,6 +31,11 @@ DEFINE_string(out, "proof", "folder for cases, answers, results and proof.json")
 DEFINE_string(program, "", "the program to prove, default: ceres_dhcal beside this one");
 DEFINE_string(only, "", "scenarios, such as D4,D5; default all");
 DEFINE_int32(seeds, 20, "trials of each scenario");
+DEFINE_int32(random,
+             0,
+             "random trials, of robots, files, readings and causes drawn by seed; alone, unless "
+             "--only or --quick name scenarios, too");
+DEFINE_int32(first, 1, "seed of the first random trial");
 DEFINE_int32(jobs, 0, "cases at a time, default: one per processor");
 DEFINE_bool(quick, false, "one trial of the most telling scenarios");
 DEFINE_bool(list, false, "print the scenarios");
@@ -57,14 +67,43 @@ void PrintCases(const std::vector<ProofScore>& scores) {
   }
 }
 
+void PrintRandom(const std::vector<RandomScore>& scores) {
+  for (const RandomScore& s : scores) {
+    std::string line =
+        fmt::format("{:<9} {:<17}", s.name, s.failure.empty() ? s.verdict : s.failure);
+    if (s.false_alarm) line += " FALSE ALARM";
+    if (s.wrong_single) line += " WRONG NAME";
+    if (s.judged && !s.listed) line += " MISSED";
+    if (s.extra) line += " EXTRA";
+    if (s.geometry_extra) line += " GEOMETRY";
+    if (!s.contradictions.empty()) line += " CONTRADICTS ITSELF";
+    for (const CauseScore& cause : s.causes) {
+      line += fmt::format("  {}{}.{} {:.2g}",
+                          cause.detectable ? "" : "~",
+                          cause.effect.empty() ? "outside" : cause.effect,
+                          cause.joint,
+                          cause.visible);
+    }
+    for (const std::string& geometry : s.geometry) line += "  " + geometry;
+    line += "  ->";
+    for (const std::string& finding : s.findings) line += "  " + finding;
+    std::cout << line << "\n";
+  }
+}
+
 void WriteJson(const std::filesystem::path& file,
                const std::vector<ProofScore>& scores,
+               const std::vector<RandomScore>& random,
                double seconds) {
   nlohmann::ordered_json proof = {{"program_version", DHCAL_VERSION},
                                   {"seconds", seconds},
                                   {"figures", FiguresToJson(Figures(scores))},
                                   {"cases", nlohmann::ordered_json::array()}};
   for (const ProofScore& score : scores) proof["cases"].push_back(ScoreToJson(score));
+  if (!random.empty()) {
+    proof["random_rates"] = RandomRatesToJson(RandomRates(random));
+    for (const RandomScore& score : random) proof["random"].push_back(RandomScoreToJson(score));
+  }
   WriteWhole(file, proof.dump(1) + "\n");
 }
 
@@ -76,6 +115,8 @@ int Run() {
   options.only = Split(FLAGS_only);
   options.seeds = FLAGS_seeds;
   options.quick = FLAGS_quick;
+  options.random = FLAGS_random;
+  options.first = FLAGS_first;
   options.jobs = FLAGS_jobs > 0 ? FLAGS_jobs : NumProcessors();
   if (!std::filesystem::exists(options.program)) {
     std::cerr << fmt::format(
@@ -93,20 +134,26 @@ int Run() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   const bool terminal = isatty(STDERR_FILENO) != 0;
-  const std::vector<ProofScore> scores = RunProof(options, [&](int done, int all) {
+  const auto say = [&](int done, int all) {
     if (terminal) std::cerr << fmt::format("\r{} of {} cases, {:.0f} s ", done, all, seconds());
-  });
+  };
+  const std::vector<ProofScore> scores = RunProof(options, say);
+  const std::vector<RandomScore> random = RunRandomProof(options, say);
   if (terminal) std::cerr << "\n";
   if (FLAGS_verbose) PrintCases(scores);
-  std::cout << ProofTable(scores)
+  if (FLAGS_verbose) PrintRandom(random);
+  if (!scores.empty()) std::cout << ProofTable(scores);
+  std::cout << RandomTable(random)
             << fmt::format("{} cases in {:.0f} s; all outcomes: {}\n",
-                           scores.size(),
+                           scores.size() + random.size(),
                            seconds(),
                            (options.folder / "proof.json").string());
-  WriteJson(options.folder / "proof.json", scores, seconds());
-  const bool failed = std::any_of(
-      scores.begin(), scores.end(), [](const ProofScore& s) { return !s.failure.empty(); });
-  return failed ? 1 : 0;
+  WriteJson(options.folder / "proof.json", scores, random, seconds());
+  const auto failed = [](const auto& score) { return !score.failure.empty(); };
+  return std::any_of(scores.begin(), scores.end(), failed) ||
+                 std::any_of(random.begin(), random.end(), failed)
+             ? 1
+             : 0;
 }
 
 }  // namespace
@@ -116,7 +163,8 @@ int main(int argc, char** argv) {
   try {
     gflags::SetUsageMessage(
         "proves the diagnosis on recordings whose answer it is not told\n\n"
-        "  dhcal_prove --out DIR [--quick] [--seeds N] [--only D4,D5] [--jobs N] [--verbose]");
+        "  dhcal_prove --out DIR [--quick] [--seeds N] [--only D4,D5] [--jobs N] [--verbose]\n"
+        "  dhcal_prove --out DIR --random N [--first SEED] [--only D4,D5] [--jobs N] [--verbose]");
     gflags::ParseCommandLineFlags(&argc, &argv, true);
     if (argc > 1) {
       std::cerr << "dhcal_prove: unknown argument " << argv[1] << "; see --help\n";

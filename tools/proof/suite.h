@@ -11,6 +11,7 @@
 #ifndef DHCAL_TOOLS_PROOF_SUITE_H_
 #define DHCAL_TOOLS_PROOF_SUITE_H_
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -20,10 +21,6 @@
 
 namespace dhcal {
 
-/// Writes a file whole or not at all, with its folder: a stopped run leaves no half file. Throws
-/// std::runtime_error when it cannot.
-void WriteWhole(const std::filesystem::path& file, const std::string& text);
-
 struct ProofOptions {
   std::filesystem::path folder;
   std::filesystem::path program;  // ceres_dhcal
@@ -31,6 +28,8 @@ struct ProofOptions {
   int seeds = 20;
   bool quick = false;  // one seed of the quick scenarios
   int jobs = 1;
+  int random = 0;  // random trials; > 0 = these alone, unless scenarios are named
+  int first = 1;   // seed of the first
 };
 
 struct ProofCase {
@@ -44,8 +43,14 @@ std::vector<ProofCase> CasesOf(const ProofOptions& options);
 /// Names of scenarios that do not exist.
 std::vector<std::string> UnknownScenarios(const ProofOptions& options);
 
-/// Makes, runs and scores all cases; `say` gets the number of those done. A case that cannot be
-/// scored says why in `failure`.
+/// Runs `prove` for each of `count` cases, `jobs` at a time; `say` gets the number of those done.
+void ForEachCase(int count,
+                 int jobs,
+                 const std::function<void(int done, int all)>& say,
+                 const std::function<void(std::size_t k)>& prove);
+
+/// Makes, runs and scores the cases of scenarios; `say` gets the number of those done. A case that
+/// cannot be scored says why in `failure`.
 std::vector<ProofScore> RunProof(const ProofOptions& options,
                                  const std::function<void(int done, int all)>& say);
 

@@ -1,8 +1,13 @@
-// The causes that scenarios put in, each with the name that the effect library should give it.
+// The causes that scenarios and random trials put in, each with the name that the effect library
+// should give it.
 #ifndef DHCAL_TOOLS_PROOF_SIMULATOR_CAUSES_H_
 #define DHCAL_TOOLS_PROOF_SIMULATOR_CAUSES_H_
 
-#include "tools/proof/simulator/trial.h"
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "tools/proof/simulator/cause.h"
 
 namespace dhcal::concealed {
 
@@ -17,15 +22,33 @@ Cause Plays(int joint, double gap);
 Cause PlaysUnderLoad(int joint, double gap, double preload);
 Cause WindsUp(int joint, double windup);
 Cause Coupled(int joint, int driver, double ratio);
+/// A wrong ratio of the joint itself.
+Cause Gains(int joint, double gain);
+Cause Wobbles(int joint, double amplitude, double phase);
+Cause LinkBends(int link, double flexibility);
 /// Link 1 warms up, link 2 behind it.
 Cause FirstLinkGrows(double strain, double lag);
 Cause SecondLinkGrows(double strain, double lag);
 Cause ToolSlips(int at_row, double time, const Eigen::Vector3d& shift);
 Cause JointSlips(int joint, int at_row, double time, double angle);
+Cause BaseSteps(int at_row, double time, const Move& move);
+Cause BaseDrifts(const Eigen::Vector3d& motion, double lag);
+Cause JointDrifts(int joint, double angle, double lag);
+/// The instrument was set up anew for each run, and the file does not say so.
+Cause BaseMovesBetweenRuns(const std::vector<Move>& moves);
 Cause Late(double seconds);
+Cause NotSettled(double share);
+Cause ReadsLong(double offset, int anchors);
+
+// Outside the library.
 Cause ToothDamaged(int joint, double at, double width, double depth);
 Cause Kinked(int joint, double at, double slope);
+/// Turned by the product of two other joints' angles.
 Cause CablePulls(int joint, int first, int second, double amount);
+/// Slack until two angles together reach `slack` [rad].
+Cause CableTautens(int joint, int first, int second, double slack, double pull);
+/// Friction that winds up more at some angles than at others.
+Cause RubsByAngle(int joint, double windup, double order, double phase);
 Cause FloorSways(const Eigen::Vector3d& amplitude, double period);
 
 }  // namespace dhcal::concealed

@@ -12,13 +12,14 @@
 namespace dhcal::concealed {
 
 struct Motion {
-  Eigen::MatrixXd q;        // [rad] as the controller reports it; poses x joints
-  Eigen::MatrixXd speed;    // [rad/s]; 0 rows = standing still
+  Eigen::MatrixXd q;        // [rad], slides [m], as the controller reports it; poses x joints
+  Eigen::MatrixXd speed;    // [rad/s] or [m/s]; 0 rows = standing still
   Eigen::VectorXd time;     // [s]
   Eigen::VectorXd payload;  // [kg]
   bool payload_varies = false;
-  std::vector<int> run;    // number of the run of each pose
-  std::vector<bool> test;  // never fitted
+  std::vector<int> run;     // number of the run of each pose
+  std::vector<int> target;  // number of the target of each pose, from 0; empty = the tool
+  std::vector<bool> test;   // never fitted
 
   int num_poses() const { return static_cast<int>(q.rows()); }
 };

@@ -19,14 +19,23 @@ struct Drive {
   double preload = 1e9;         // [N m] gravity beyond this keeps the gear on one flank
   double windup = 0;            // [rad] left by friction after a long travel
   double windup_travel = 1e-3;  // [rad] of travel after a reversal that builds it up
-  double gain = 0;              // [rad/rad] wrong ratio
-  std::function<double(double q)> form;  // [rad] any other error as a function of the angle
+  std::function<double(double q)> windup_form;  // [1] times windup: friction that depends on angle
+  double gain = 0;                              // [rad/rad] wrong ratio
+  std::function<double(double q)> form;         // [rad] any other error as a function of the angle
 };
 
 /// A gear's error once (or `order` times) per turn; at the motor's side the order is its ratio.
 struct GearLine {
   int joint = 0;  // from 0
   double order = 1;
+  double amplitude = 0;  // [rad]
+  double phase = 0;      // [rad]
+};
+
+/// A bearing that tilts its axis `order` times per turn.
+struct Wobble {
+  int joint = 0;  // from 0
+  double order = 2;
   double amplitude = 0;  // [rad]
   double phase = 0;      // [rad]
 };
@@ -45,17 +54,30 @@ struct Balancer {
 
 /// Lumped heat: a source warms the first body, which warms the second, and so on; each grows.
 struct ThermalBody {
-  int link = 0;                                      // from 1; 0 = the base moves instead
-  double strain = 0;                                 // at the end of the warm-up
-  double lag = 0;                                    // [s] of this body behind the one before
-  Eigen::Vector3d motion = Eigen::Vector3d::Zero();  // [m] of the base at the end
+  int link = 0;       // from 1
+  double strain = 0;  // at the end of the warm-up
+  double lag = 0;     // [s] of this body behind the one before
+};
+
+/// A zero or the base that moves as something warms up, by one exponential.
+struct Drift {
+  int joint = -1;                                    // from 0; -1 = the base moves
+  double angle = 0;                                  // [rad] of the joint in the end
+  Eigen::Vector3d motion = Eigen::Vector3d::Zero();  // [m] of the base in the end
+  double lag = 1;                                    // [s]
+};
+
+/// A frame moved in the measurement frame: shifted, and turned about its own origin.
+struct Move {
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero(), turn = Eigen::Vector3d::Zero();  // [m], [rad]
 };
 
 struct Step {
-  int joint = 0;  // from 0; -1 = the tool moves
+  int joint = 0;  // from 0; -1 = the tool moves, -2 = the base
   int at_row = 0;
   double angle = 0;                                 // [rad]
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  // [m] in the flange frame
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  // [m] of the tool in the flange frame
+  Move base;
 };
 
 struct Physics {
@@ -66,7 +88,12 @@ struct Physics {
   std::vector<double> link_flexibility;                       // [1/(N m^2)] 1/EI, one per link
   Eigen::Vector2d base_compliance = Eigen::Vector2d::Zero();  // [rad/(N m)] about x and y
   std::vector<ThermalBody> thermal;                           // in the order of the heat
+  std::vector<Drift> drifts;
   std::vector<Step> steps;
+  std::vector<Wobble> wobbles;
+  std::vector<Move> base_of_run;                   // of run 1, 2, ...; empty = it stays
+  double settling = 0;                             // share of the last move that is still missing
+  double length_offset = 0;                        // [m] of an instrument that reads distances
   double latency = 0;                              // [s]
   Eigen::Vector3d sway = Eigen::Vector3d::Zero();  // [m] the floor swings
   double sway_period = 900;                        // [s]

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/units.h"
+#include "tools/proof/simulator/arms.h"
 #include "tools/proof/simulator/causes.h"
 
 namespace dhcal::concealed {

@@ -24,12 +24,20 @@ Screw AxisThrough(const Eigen::Vector3d& point, const Eigen::Vector3d& direction
   return {w, -w.cross(point)};
 }
 
-Eigen::Isometry3d Exp(const Screw& axis, double angle) {
+Screw SlideAlong(const Eigen::Vector3d& direction) {
+  return {Eigen::Vector3d::Zero(), direction.normalized()};
+}
+
+Eigen::Isometry3d Exp(const Screw& axis, double amount) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-  const Eigen::Matrix3d R = Turn(axis.w, angle);
+  if (axis.w.isZero()) {
+    X.translation() = amount * axis.v;
+    return X;
+  }
+  const Eigen::Matrix3d R = Turn(axis.w, amount);
   X.linear() = R;
   X.translation() = (Eigen::Matrix3d::Identity() - R) * axis.w.cross(axis.v) +
-                    angle * axis.w * axis.w.dot(axis.v);
+                    amount * axis.w * axis.w.dot(axis.v);
   return X;
 }
 

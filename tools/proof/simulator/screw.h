@@ -10,7 +10,8 @@
 
 namespace dhcal::concealed {
 
-/// An axis in space: unit direction w, and v = -w x (a point of the axis) [m].
+/// An axis in space: unit direction w, and v = -w x (a point of the axis) [m]. A slide has w = 0
+/// and v = its unit direction.
 struct Screw {
   Eigen::Vector3d w = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d v = Eigen::Vector3d::Zero();
@@ -18,8 +19,10 @@ struct Screw {
 
 Screw AxisThrough(const Eigen::Vector3d& point, const Eigen::Vector3d& direction);
 
-/// Turning by `angle` [rad] about the axis.
-Eigen::Isometry3d Exp(const Screw& axis, double angle);
+Screw SlideAlong(const Eigen::Vector3d& direction);
+
+/// Turning by `amount` [rad] about the axis, or sliding by it [m].
+Eigen::Isometry3d Exp(const Screw& axis, double amount);
 
 /// A rotation vector [rad] about the origin after a translation [m]; both may be large.
 Eigen::Isometry3d Displacement(const Eigen::Vector3d& rotation, const Eigen::Vector3d& translation);

@@ -74,6 +74,26 @@ Isometry3d Growth(const Vector3d& beam, double strain) {
   return Displacement(Vector3d::Zero(), strain * beam);
 }
 
+/// What a link and the shape of a modified row before its joint add as they grow.
+void Grow(const ScrewArm& screws,
+          const std::vector<double>& growth,
+          std::vector<Isometry3d>* bends) {
+  for (std::size_t i = 0; i < growth.size(); ++i) {
+    if (growth[i] == 0) continue;
+    const auto j = static_cast<int>(i);
+    // From the frame of the row before to the joint's axis lies the body before; along the axis and
+    // beyond lies the link. (The first row's shape is the base's: drawn without length.)
+    const Vector3d before = screws.start(j).translation() - screws.home(j).translation();
+    const Vector3d own = screws.home(j + 1).translation() - screws.start(j).translation();
+    const auto add = [&](std::size_t link, const Vector3d& length) {
+      const Eigen::Matrix3d to_end = screws.end(static_cast<int>(link)).linear().transpose();
+      (*bends)[link] = Growth(to_end * length, growth[i]) * (*bends)[link];
+    };
+    if (i > 0 && before.norm() > 0) add(i - 1, before);
+    add(i, own);
+  }
+}
+
 /// How every link's far end is displaced, in the frame there.
 std::vector<Isometry3d> Bends(const Arm& arm,
                               const ScrewArm& screws,
@@ -81,18 +101,18 @@ std::vector<Isometry3d> Bends(const Arm& arm,
                               const std::vector<Isometry3d>& motions,
                               const Circumstances& at) {
   std::vector<Isometry3d> bends;
-  for (int link = 1; link <= arm.num_joints(); ++link) {
-    const auto i = static_cast<std::size_t>(link);
-    const Isometry3d end = motions[i] * screws.home(link);
-    const Vector3d near = motions[i] * screws.home(link - 1).translation();
+  for (int joint = 0; joint < arm.num_joints(); ++joint) {
+    const auto i = static_cast<std::size_t>(joint);
+    const Isometry3d end = motions[i + 1] * screws.end(joint);
+    const Vector3d near = motions[i] * screws.start(joint).translation();
     const Eigen::Matrix3d to_end = end.linear().transpose();
     const Vector3d beam = to_end * (end.translation() - near);
-    Load load = LoadBeyond(arm, screws, motions, at.payload, link + 1, end.translation());
+    Load load = LoadBeyond(arm, screws, motions, at.payload, joint + 2, end.translation());
     load.force = to_end * load.force;
     load.moment = to_end * load.moment;
-    bends.emplace_back(Growth(beam, at.growth[i - 1]) *
-                       Bend(beam, load, physics.link_flexibility[i - 1]));
+    bends.emplace_back(Bend(beam, load, physics.link_flexibility[i]));
   }
+  Grow(screws, at.growth, &bends);
   return bends;
 }
 
@@ -105,9 +125,10 @@ VectorXd GravityTorques(const Arm& arm,
   VectorXd torques(arm.num_joints());
   for (int j = 0; j < arm.num_joints(); ++j) {
     const Isometry3d& before = motions[static_cast<std::size_t>(j)];
-    const Vector3d point = before * screws.home(j).translation();
-    const Vector3d axis = before.linear() * screws.axis(j).w;
-    torques[j] = axis.dot(LoadBeyond(arm, screws, motions, payload, j + 1, point).moment);
+    const Vector3d point = before * screws.start(j).translation();
+    const Vector3d axis = before.linear() * screws.start(j).linear().col(2);
+    const Load load = LoadBeyond(arm, screws, motions, payload, j + 1, point);
+    torques[j] = axis.dot(arm.links[static_cast<std::size_t>(j)].slides ? load.force : load.moment);
   }
   return torques;
 }
@@ -125,7 +146,7 @@ Isometry3d Equilibrium(const Arm& arm,
                        const Circumstances& at) {
   std::vector<Isometry3d> bends(static_cast<std::size_t>(arm.num_joints()), Isometry3d::Identity());
   VectorXd twist = VectorXd::Zero(arm.num_joints());
-  std::vector<Isometry3d> motions = screws.Motions(q + at.held, bends);
+  std::vector<Isometry3d> motions = screws.Motions(q + at.held, bends, at.tilts);
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     VectorXd torque = GravityTorques(arm, screws, motions, at.payload);
     if (arm.num_joints() > 1) torque[1] += SpringTorque(physics.balancer, q[1]);
@@ -134,7 +155,7 @@ Isometry3d Equilibrium(const Arm& arm,
     }
     bends = Bends(arm, screws, physics, motions, at);
     const Isometry3d before = motions.back();
-    motions = screws.Motions(q + at.held + twist, bends);
+    motions = screws.Motions(q + at.held + twist, bends, at.tilts);
     if ((motions.back().matrix() - before.matrix()).cwiseAbs().maxCoeff() < kAtRest) break;
   }
   const Vector3d overturning =

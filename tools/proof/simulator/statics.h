@@ -15,12 +15,14 @@ namespace dhcal::concealed {
 
 /// What holds besides the joints' angles at one pose.
 struct Circumstances {
-  double payload = 0;          // [kg]
-  std::vector<double> growth;  // thermal strain of each link
-  Eigen::VectorXd held;        // [rad] error of each joint that no load makes
+  double payload = 0;                  // [kg]
+  std::vector<double> growth;          // thermal strain of each link
+  Eigen::VectorXd held;                // [rad], slides [m]: error of each joint that no load makes
+  std::vector<Eigen::Vector2d> tilts;  // [rad] of each axis; empty = none
 };
 
-/// Gravity's torque about each joint [N m], in the joint's own sense, for links moved by `motions`.
+/// Gravity's torque about each joint [N m], along a slide [N], in the joint's own sense, for links
+/// moved by `motions`.
 Eigen::VectorXd GravityTorques(const Arm& arm,
                                const ScrewArm& screws,
                                const std::vector<Eigen::Isometry3d>& motions,

@@ -4,37 +4,18 @@
 #define DHCAL_TOOLS_PROOF_SIMULATOR_TRIAL_H_
 
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "core/base/rng.h"
 #include "tools/proof/simulator/arm.h"
+#include "tools/proof/simulator/cause.h"
 #include "tools/proof/simulator/motion.h"
 #include "tools/proof/simulator/physics.h"
 #include "tools/proof/simulator/sensor.h"
 #include "tools/proof/simulator/visibility.h"
 
 namespace dhcal::concealed {
-
-/// A cause that is put in, in the words of FORMATS.md.
-struct Cause {
-  std::string effect;                              // "" = nothing in the library is like it
-  int joint = 0;                                   // from 1; 0 = none
-  std::map<std::string, double> settings, values;  // values that an interval should hold
-  std::string effect_class, location;
-  std::string slot;    // where it acts, in the words of the mismatch map
-  int parameters = 1;  // that describe it
-  std::string more;    // further effects of the oracle's problem file, as YAML
-  /// Wrong masses in the file could look like it: only what they cannot imitate counts as visible.
-  bool like_masses = false;
-  /// Names that mean the same on such data ("joint_gain" of the same joint, for one).
-  std::vector<std::string> also;
-  /// Puts it in, `scale` times.
-  std::function<void(Physics*, double scale)> apply;
-  Visibility visibility;
-};
 
 enum class Group { kNull, kSingle, kSeveral, kConcealed, kOutside };
 

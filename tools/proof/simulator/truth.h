@@ -2,7 +2,10 @@
 #ifndef DHCAL_TOOLS_PROOF_SIMULATOR_TRUTH_H_
 #define DHCAL_TOOLS_PROOF_SIMULATOR_TRUTH_H_
 
+#include <vector>
+
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "tools/proof/simulator/arm.h"
 #include "tools/proof/simulator/motion.h"
@@ -10,8 +13,13 @@
 
 namespace dhcal::concealed {
 
-/// Positions [m] (poses x 3) in the measurement frame. The poses are taken in their order: play and
-/// friction remember where the joints came from; a new run forgets.
+/// The measured point's frame in the measurement frame. The poses are taken in their order: play
+/// and friction remember where the joints came from; a new run forgets.
+std::vector<Eigen::Isometry3d> TruePoses(const Arm& built,
+                                         const Physics& physics,
+                                         const Motion& motion);
+
+/// Its positions [m] (poses x 3).
 Eigen::MatrixXd TruePositions(const Arm& built, const Physics& physics, const Motion& motion);
 
 /// [rad] what friction and play add to each joint (poses x joints).

@@ -48,6 +48,18 @@ std::vector<std::function<void(Arm*, double)>> Freedoms(const Arm& drawing) {
   return freedoms;
 }
 
+double PowerOf(double lambda, int parameters) {
+  if (lambda > kLargestNonCentrality) return 1;
+  const boost::math::chi_squared central(parameters);
+  const double threshold =
+      boost::math::quantile(boost::math::complement(central, kFamilyWise / kHypotheses));
+  if (lambda < 1e-9) return kFamilyWise / kHypotheses;
+  const boost::math::non_central_chi_squared shifted(parameters, lambda);
+  return boost::math::cdf(boost::math::complement(shifted, threshold));
+}
+
+}  // namespace
+
 VectorXd WithoutKnown(const VectorXd& signal, const MatrixXd& known) {
   Eigen::JacobiSVD<MatrixXd> svd;
   MatrixXd scaled = known;
@@ -66,18 +78,6 @@ VectorXd WithoutKnown(const VectorXd& signal, const MatrixXd& known) {
   left -= basis * (basis.transpose() * left);
   return left;
 }
-
-double PowerOf(double lambda, int parameters) {
-  if (lambda > kLargestNonCentrality) return 1;
-  const boost::math::chi_squared central(parameters);
-  const double threshold =
-      boost::math::quantile(boost::math::complement(central, kFamilyWise / kHypotheses));
-  if (lambda < 1e-9) return kFamilyWise / kHypotheses;
-  const boost::math::non_central_chi_squared shifted(parameters, lambda);
-  return boost::math::cdf(boost::math::complement(shifted, threshold));
-}
-
-}  // namespace
 
 VectorXd Stacked(const MatrixXd& positions) {
   const MatrixXd transposed = positions.transpose();

@@ -29,6 +29,9 @@ struct Visibility {
   double power = 0;        // of a test that knows the effect, against 200 others
 };
 
+/// What of a signal no combination of the columns of `known` makes.
+Eigen::VectorXd WithoutKnown(const Eigen::VectorXd& signal, const Eigen::MatrixXd& known);
+
 /// `signal`, `known`: 3 poses x 1 and x k (geometry, other effects); `parameters` of the effect.
 Visibility VisibilityOf(const Eigen::VectorXd& signal,
                         const Eigen::MatrixXd& known,

@@ -12,6 +12,7 @@
 #include "tests/support/independent_kinematics.h"
 #include "tests/support/matchers.h"
 #include "tools/proof/simulator/arm.h"
+#include "tools/proof/simulator/arms.h"
 #include "tools/proof/simulator/causes.h"
 #include "tools/proof/simulator/sensor.h"
 #include "tools/proof/simulator/statics.h"
@@ -65,17 +66,25 @@ TEST_P(EveryArm, ExponentialsGoWhereTheTextbooksMatricesGo) {
     independent::Matrix4<double> X = arm.base.matrix();
     for (int j = 0; j < arm.num_joints(); ++j) {
       const DrawnLink& link = arm.links[static_cast<std::size_t>(j)];
-      X = X *
-          independent::StandardRow<double>(
-              link.theta + motion.q(row, j), link.d, link.a, link.alpha) *
-          independent::TurnAboutY<double>(link.beta);
+      const double theta = link.theta + (link.slides ? 0 : motion.q(row, j));
+      const double d = link.d + (link.slides ? motion.q(row, j) : 0);
+      const auto tilt = independent::TurnAboutY<double>(link.beta);
+      if (arm.convention == Convention::kStandard) {
+        X = X * independent::StandardRow<double>(theta, d, link.a, link.alpha) * tilt;
+      } else {
+        X = X * independent::ModifiedRow<double>(0, 0, link.a, link.alpha) * tilt *
+            independent::ModifiedRow<double>(theta, d, 0, 0);
+      }
     }
     const Vector3d expected = (X * arm.tool.translation().homogeneous()).head<3>();
     EXPECT_THAT(positions.row(row).transpose(), MatrixNear(expected, 1e-12));
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Arms, EveryArm, ::testing::Values(&KukaKr15, &UniversalUr10, &SmallArm));
+INSTANTIATE_TEST_SUITE_P(
+    Arms,
+    EveryArm,
+    ::testing::Values(&KukaKr15, &UniversalUr10, &SmallArm, &ModifiedSix, &SevenAxes, &Scara));
 
 TEST(Statics, ACompliantPendulumHangsWhereSpringAndWeightBalance) {
   const double length = 0.8, mass = 20, compliance = 1e-4;

@@ -1,0 +1,94 @@
+#include "tools/proof/simulator/random/random_readings.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tools/proof/simulator/random/draw.h"
+#include "tools/proof/simulator/random/poses.h"
+#include "tools/proof/simulator/screw.h"
+#include "tools/proof/simulator/truth.h"
+
+namespace dhcal::concealed {
+namespace {
+
+using Eigen::Index;
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+constexpr double kOwnOfRepeat = 0.1;  // of the noise, where repeats share the rest
+
+/// One number of unit deviation.
+double DrawNoise(Tail tail, Rng* rng) {
+  if (tail == Tail::kMixed) {
+    // One in ten from an instrument three times as noisy.
+    const double wide = Chance(0.1, rng) ? 3 : 1;
+    return wide * rng->Normal() / std::sqrt(0.9 + 0.1 * 9);
+  }
+  const double normal = rng->Normal();
+  if (tail == Tail::kGaussian) return normal;
+  double square = 0;
+  for (int k = 0; k < 3; ++k) square += std::pow(rng->Normal(), 2);
+  return normal / std::sqrt(square);  // t of 3 degrees of freedom over its deviation
+}
+
+/// Errors of all rows, unit deviation; repeats of a pose may share theirs.
+Eigen::MatrixXd DrawErrors(const Settings& s, Index rows, Index width, Rng* rng) {
+  Eigen::MatrixXd errors(rows, width);
+  for (Index row = 0; row < rows; ++row) {
+    const bool again = s.repeats_share && s.repeats > 1 && row % s.repeats > 0;
+    for (Index k = 0; k < width; ++k) {
+      const double drawn = DrawNoise(s.tail, rng);
+      errors(row, k) = again ? errors(row - row % s.repeats, k) + kOwnOfRepeat * drawn : drawn;
+    }
+  }
+  return errors;
+}
+
+/// How far a reading is off that is wrong, in noises.
+double DrawOutlier(const Settings& s, Rng* rng) {
+  return Chance(s.outliers, rng) ? DrawLogUniform(15, 300, rng) : 0;
+}
+
+double ReadDistance(const RandomTrial& trial, std::size_t i, const Vector3d& p, double error) {
+  const Vector3d& anchor = trial.anchors[static_cast<std::size_t>(trial.anchor[i])];
+  return (p - anchor).norm() + AllPhysics(trial).length_offset + error;
+}
+
+}  // namespace
+
+Eigen::MatrixXd RandomReadings(const RandomTrial& trial) {
+  const Settings& s = trial.settings;
+  Rng rng(trial.seed * 15485863 + 3);
+  const std::vector<Isometry3d> poses = TruePoses(trial.built, AllPhysics(trial), trial.motion);
+  const std::vector<int> before = RowsBefore(trial.motion);
+  const auto rows = static_cast<Index>(poses.size());
+  const bool differences = s.kind == Kind::kAdjacent && !s.shared_pose;
+  const Eigen::MatrixXd errors = DrawErrors(s, rows, 6, &rng);
+  Eigen::MatrixXd readings(rows, s.kind == Kind::kPose ? 7 : s.kind == Kind::kDistance ? 1 : 3);
+  for (Index row = 0; row < rows; ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    const Vector3d p = poses[i].translation();
+    const double outlier = DrawOutlier(s, &rng);
+    const Vector3d off = outlier * DrawDirection(&rng);
+    if (s.kind == Kind::kDistance) {
+      const double wrong = off.x() > 0 ? outlier : -outlier;
+      readings(row, 0) = ReadDistance(trial, i, p, s.noise * (errors(row, 0) + wrong));
+      continue;
+    }
+    const Vector3d error = s.noise * (errors.row(row).head<3>().transpose() + off);
+    Vector3d from = Vector3d::Zero();
+    if (differences) {
+      from = before[i] < 0 ? Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())
+                           : Vector3d(poses[static_cast<std::size_t>(before[i])].translation());
+    }
+    readings.row(row).head<3>() = (p - from + error).transpose();
+    if (s.kind != Kind::kPose) continue;
+    const Vector3d turn = s.noise_rotation * errors.row(row).tail<3>().transpose();
+    const Eigen::Quaterniond q(Displacement(turn, Vector3d::Zero()).linear() * poses[i].linear());
+    readings.row(row).tail<4>() << q.w(), q.x(), q.y(), q.z();
+  }
+  return readings;
+}
+
+}  // namespace dhcal::concealed
