@@ -277,7 +277,9 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   // All good rows; the geometry alone by the same.
   const RowChoice choice = loop.Choice(true);
   const EvidenceRule searched_rule = outcome.rule;
-  outcome.fit = FitJointly(model, outcome.fit.state, choice, outcome.free, kFarSteps);
+  outcome.fit =
+      loop.Eliminate(outcome.fit.state, outcome.geometry, choice, kFarSteps, &outcome.completions);
+  outcome.free = WithUnknowns(outcome.geometry, outcome.completions);
   outcome.rule = loop.RuleAt(outcome.fit, outcome.free.size(), outcome.rule.names);
   const JointRows before = FitJointly(model, model.Start(), choice, outcome.free, kFarSteps);
   UnseenRows unseen_before(model, before, choice, loop.GoodReadings(true));

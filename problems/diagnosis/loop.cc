@@ -22,6 +22,7 @@ using Eigen::VectorXd;
 
 constexpr double kNoiseSettled = 0.02;
 constexpr int kInstantsAround = 12;  // rows to both sides
+constexpr int kNearSteps = 3;
 
 }  // namespace
 
@@ -209,10 +210,12 @@ Loop::Found Loop::SearchAt(const JointRows& joint,
 
 JointRows Loop::Eliminate(JointState start,
                           const std::vector<int>& geometry,
+                          const RowChoice& choice,
+                          int iterations,
                           std::vector<Item>* completions) const {
   while (true) {
     const std::vector<int> free = WithUnknowns(geometry, *completions);
-    JointRows joint = FitJointly(model_, start, Choice(), free, 3);
+    JointRows joint = FitJointly(model_, start, choice, free, iterations);
     const EvidenceRule rule = RuleAt(joint, free.size(), names_);
     const Weakest weakest = WeakestOf(model_, joint, *completions, rule, in_.false_alarm);
     if (weakest.member < 0 && weakest.completion < 0) return joint;
@@ -262,7 +265,7 @@ LoopOutcome Loop::Run() {
     const Found found = SearchAt(joint, all, {}, false);
     names_ = found.names;
     const JointState before = joint.state;
-    joint = FitJointly(model_, taken_up(found, before), Choice(), all, 3);
+    joint = FitJointly(model_, taken_up(found, before), Choice(), all, kNearSteps);
     bool changed = !same_members(before, joint.state);
     if (!off_.empty()) joint = WithInstantsMoved(std::move(joint));
     const std::set<int> off_before = off_;
@@ -276,7 +279,7 @@ LoopOutcome Loop::Run() {
     joint = FitJointly(model_, joint.state, Choice(), all, 1);
   }
   std::vector<Item> completions;
-  joint = Eliminate(joint.state, all, &completions);
+  joint = Eliminate(joint.state, all, Choice(), kNearSteps, &completions);
   std::vector<int> geometry = all;
   if (!in_.completions.empty()) {
     say("with the geometry that the file frees");
@@ -292,12 +295,13 @@ LoopOutcome Loop::Run() {
     for (Index k = 0; k < state.geometry.size(); ++k) {
       if (kept.count(static_cast<int>(k)) == 0) state.geometry[k] = 0;
     }
-    joint = Eliminate(state, geometry, &completions);
+    joint = Eliminate(state, geometry, Choice(), kNearSteps, &completions);
   }
   say("what else would do");
   const Found alternatives = SearchAt(joint, geometry, in_.completions, true);
   LoopOutcome outcome;
   outcome.listed = alternatives.listed;
+  outcome.geometry = geometry;
   outcome.free = WithUnknowns(geometry, completions);
   outcome.completions = std::move(completions);
   outcome.rule = RuleAt(joint, outcome.free.size(), names_);

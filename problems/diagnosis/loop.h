@@ -35,6 +35,7 @@ struct LoopInputs {
 struct LoopOutcome {
   JointRows fit;                  // members found, all good rows
   std::vector<Item> completions;  // found
+  std::vector<int> geometry;      // unknowns of the fit but for the completions found
   std::vector<int> free;          // unknowns of the fit
   Noise noise;
   double correlation = 0;  // of neighbouring rows' errors, taken out
@@ -57,6 +58,13 @@ class Loop {
   double NumPoses() const;
   EvidenceRule RuleAt(const JointRows& joint, std::size_t geometry, int names) const;
   std::vector<Item> Items(const JointRows& joint, bool coarse) const;
+  /// A fit of the rows chosen, of `geometry` and completions, without the members and completions
+  /// that do not stand in it, the weakest first.
+  JointRows Eliminate(JointState start,
+                      const std::vector<int>& geometry,
+                      const RowChoice& choice,
+                      int iterations,
+                      std::vector<Item>* completions) const;
 
  private:
   void RobustStart();
@@ -82,10 +90,6 @@ class Loop {
                  const std::vector<int>& geometry,
                  const std::vector<Item>& completions,
                  bool list) const;
-  JointRows Eliminate(JointState start,
-                      const std::vector<int>& geometry,
-                      std::vector<Item>* completions) const;
-
   LoopInputs in_;
   const JointModel& model_;
   std::vector<int> poses_;

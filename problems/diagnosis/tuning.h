@@ -53,7 +53,9 @@ struct Tuning {
   int longest_list = 12;
 
   // Judgement.
-  double restless = 2;  // robust variance in units of the stated one that nothing structured makes
+  /// Robust variance in units of the stated one, with no structure, from which something is said to
+  /// be unexplained: two and a half stated sigmas. Below, the stated sigma itself is doubted.
+  double restless = 6.25;
   double predictive_bound = 25;  // squares of one unseen reading that count in full
   double unseen_errors = 2;      // standard errors by which unseen rows must speak against a name
   double least_certain = 2;      // standard deviations that a finding's value is from zero

@@ -35,6 +35,34 @@ double WaldSquare(const VectorXd& v, const MatrixXd& C, int* directions) {
   return square;
 }
 
+/// Fills what is shown of values with covariance C.
+void Show(const MatrixXd& C, Certainty* c) {
+  c->shown_value = c->value;
+  c->shown_sigma = c->sigma;
+  const auto surest = [&] {
+    const VectorXd sigma = c->shown_sigma.cwiseMax(1e-300);
+    return c->shown_value.size() == 0 ? 0.0
+                                      : c->shown_value.cwiseAbs().cwiseQuotient(sigma).maxCoeff();
+  };
+  if (surest() >= kTuning.least_certain) return;
+  const VectorXd scale = C.diagonal().cwiseMax(1e-300).cwiseSqrt();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scale.cwiseInverse().asDiagonal() * C *
+                                                      scale.cwiseInverse().asDiagonal());
+  const MatrixXd& V = eigen.eigenvectors();
+  const VectorXd along = V.transpose() * c->value.cwiseQuotient(scale);
+  const VectorXd variance = eigen.eigenvalues().cwiseMax(kNullDirection);
+  std::vector<int> order(static_cast<std::size_t>(along.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    return along[a] * along[a] / variance[a] > along[b] * along[b] / variance[b];
+  });
+  for (; !order.empty() && surest() < kTuning.least_certain; order.pop_back()) {
+    const MatrixXd kept = scale.asDiagonal() * V(Eigen::all, order);
+    c->shown_value = kept * along(order);
+    c->shown_sigma = (kept.array().square().matrix() * variance(order)).cwiseSqrt();
+  }
+}
+
 /// True if every parameter that must be positive is zero or below.
 bool HasImpossibleSign(const Item& item, const VectorXd& value) {
   bool signed_item = false;
@@ -93,6 +121,7 @@ Certainties CertaintiesOf(const JointModel& model,
                     ? LogChiSquareTail(square, directions)
                     : LogFTail(square / directions, directions, std::max(rule.dof, 1.0));
     }
+    Show(own, &c);
     return c;
   };
   const VectorXd tied = TiedValues(model, joint);
@@ -128,8 +157,9 @@ Weakest WeakestOf(const JointModel& model,
     if (member.given) continue;
     double log_p = certainties.members[k].log_p +
                    std::log(static_cast<double>(rule.names) * member.item.variants);
-    if (HasImpossibleSign(member.item, member.value)) log_p = kWrongSign;
-    if (UsualSizes(member.item, member.value) > kTuning.largest_size) {
+    const VectorXd& value = certainties.members[k].value;
+    if (HasImpossibleSign(member.item, value)) log_p = kWrongSign;
+    if (UsualSizes(member.item, value) > kTuning.largest_size) {
       log_p = std::max(log_p, kWrongSize);
     }
     if (log_p <= worst) continue;

@@ -21,6 +21,9 @@ double RowVariance(const JointRows& joint, const EvidenceRule& rule);
 struct Certainty {
   double log_p = 0;  // alone, without the choice among names
   Eigen::VectorXd value, sigma;
+  /// To be shown: the same, or, where no single value is certain although all together are, their
+  /// part along the directions that the readings hold best.
+  Eigen::VectorXd shown_value, shown_sigma;
 };
 
 /// Of a joint fit, by Wald's test.

@@ -130,11 +130,13 @@ std::vector<Finding> DescribeMembers(const JointModel& model,
         const auto i = static_cast<Index>(k);
         finding.parameters.push_back(Found(ParameterName(request, columns[k].parameter),
                                            columns[k].unit,
-                                           certainty.value[i],
-                                           certainty.sigma[i],
+                                           certainty.shown_value[i],
+                                           certainty.shown_sigma[i],
                                            quantile));
-        values.push_back(
-            {columns[k].parameter, columns[k].unit, certainty.value[i], certainty.sigma[i]});
+        values.push_back({columns[k].parameter,
+                          columns[k].unit,
+                          certainty.shown_value[i],
+                          certainty.shown_sigma[i]});
         if (columns[k].positive && finding.parameters.back().ci95_high < 0) {
           finding.cautions.push_back(columns[k].parameter +
                                      " is negative, which no such mechanism can be");
@@ -215,16 +217,18 @@ std::vector<Finding> DescribeCompletions(const JointModel& model,
       const auto at = static_cast<Index>(i);
       finding.parameters.push_back(Found(ParameterName(item.request, column->parameter),
                                          column->unit,
-                                         certainty.value[at],
-                                         certainty.sigma[at],
+                                         certainty.shown_value[at],
+                                         certainty.shown_sigma[at],
                                          quantile));
       // Frames may come once per run or target: the sentence speaks of the first.
       const bool first = std::none_of(values.begin(), values.end(), [&](const EffectValue& v) {
         return v.parameter == column->parameter;
       });
-      if (first && certainty.sigma[at] <= kKnownPart * own.tolerance) {
-        values.push_back(
-            {column->parameter, column->unit, certainty.value[at], certainty.sigma[at]});
+      if (first && certainty.shown_sigma[at] <= kKnownPart * own.tolerance) {
+        values.push_back({column->parameter,
+                          column->unit,
+                          certainty.shown_value[at],
+                          certainty.shown_sigma[at]});
       }
     }
     finding.sentence = effect.Sentence(item.request, values);

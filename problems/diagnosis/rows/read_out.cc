@@ -22,6 +22,10 @@ constexpr int kExactDecimals = 6;
 // A value is a decimal fraction if it is within so many of its last places of one.
 constexpr double kSameDecimal = 1e-6;
 constexpr double kSameAngle = 1e-5;  // [rad] or [m] between rows of one pose
+// Nobody's read-out is coarser: such values were commanded.
+constexpr double kCoarsestAngle = 0.2 * kDegree, kCoarsestLength = 0.5 * kMillimetre;
+// Distinct values, of those that as many evenly spread readings would have.
+constexpr double kShareOfBins = 0.5;
 
 /// Fewest decimals that hold all values; kExactDecimals where there are more.
 int DecimalsOfAll(const VectorXd& values) {
@@ -34,6 +38,16 @@ int DecimalsOfAll(const VectorXd& values) {
     if (all) return decimals;
   }
   return kExactDecimals;
+}
+
+/// True if values look like readings that were rounded. Those of a grid, or whole degrees, are what
+/// was commanded, and exact.
+bool LooksRounded(const VectorXd& values, double quantum, double poses) {
+  const double bins = (values.maxCoeff() - values.minCoeff()) / quantum + 1;
+  const double expected = bins * -std::expm1(poses * std::log1p(-1 / std::max(bins, 2.0)));
+  std::set<long long> distinct;
+  for (const double value : values) distinct.insert(std::llround(value / quantum));
+  return static_cast<double>(distinct.size()) >= kShareOfBins * expected;
 }
 
 /// Rows of one group of a vector's or matrix' rows put together by `Put` (mean or median).
@@ -104,6 +118,8 @@ Recording PutTogether(const Recording& r,
 
 VectorXd ReadOutQuanta(const Recording& recording, const RobotModel& robot) {
   VectorXd quanta = VectorXd::Zero(recording.num_joints());
+  const std::vector<int> of_row = PosesOfRows(recording);
+  const auto poses = static_cast<double>(std::set<int>(of_row.begin(), of_row.end()).size());
   for (int joint = 0; joint < recording.num_joints(); ++joint) {
     const bool turns = robot.joints[static_cast<std::size_t>(joint)].type == JointType::kRevolute;
     const double unit = turns ? kDegree : kMillimetre;
@@ -116,17 +132,23 @@ VectorXd ReadOutQuanta(const Recording& recording, const RobotModel& robot) {
       decimals = DecimalsOfAll(recording.q.col(joint));
       quantum = std::pow(10.0, -decimals);
     }
-    if (decimals < kExactDecimals) quanta[joint] = quantum;
+    if (decimals == kExactDecimals || quantum > (turns ? kCoarsestAngle : kCoarsestLength))
+      continue;
+    if (LooksRounded(recording.q.col(joint), quantum, poses)) quanta[joint] = quantum;
   }
   return quanta;
 }
 
 std::vector<int> PosesOfRows(const Recording& recording) {
-  // By the first joint, so that a row is compared with few others.
+  // By the joint that moves most, so that a row is compared with few others.
+  Index widest = 0;
+  if (recording.num_rows() > 0) {
+    (recording.q.colwise().maxCoeff() - recording.q.colwise().minCoeff()).maxCoeff(&widest);
+  }
   std::vector<int> order(static_cast<std::size_t>(recording.num_rows()));
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return recording.q(a, 0) < recording.q(b, 0);
+    return recording.q(a, widest) < recording.q(b, widest);
   });
   std::vector<int> first_of(order.size());  // the row that a row is the same pose as
   for (std::size_t k = 0; k < order.size(); ++k) {
@@ -134,7 +156,7 @@ std::vector<int> PosesOfRows(const Recording& recording) {
     first_of[static_cast<std::size_t>(row)] = row;
     for (std::size_t i = k; i-- > 0;) {
       const int other = order[i];
-      if (recording.q(row, 0) - recording.q(other, 0) > kSameAngle) break;
+      if (recording.q(row, widest) - recording.q(other, widest) > kSameAngle) break;
       if (!((recording.q.row(row) - recording.q.row(other)).cwiseAbs().maxCoeff() < kSameAngle)) {
         continue;
       }

@@ -13,7 +13,8 @@ namespace dhcal {
 
 /// Last digit of each joint's column [rad or m], read from its values: the fewest decimals, of
 /// degrees or millimetres, that hold all of them. 0 where they have six or more: then the column is
-/// exact as far as any arm is.
+/// exact as far as any arm is. 0, too, where the values are those of a grid, or whole degrees or
+/// millimetres: they were commanded, not read.
 Eigen::VectorXd ReadOutQuanta(const Recording& recording, const RobotModel& robot);
 
 /// A number per row; rows with the same one have equal joint coordinates within the read-out (a
