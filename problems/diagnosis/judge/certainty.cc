@@ -35,8 +35,20 @@ double WaldSquare(const VectorXd& v, const MatrixXd& C, int* directions) {
   return square;
 }
 
-/// Fills what is shown of values with covariance C.
-void Show(const MatrixXd& C, Certainty* c) {
+/// True if every parameter that must be positive is zero or below.
+bool HasImpossibleSign(const Item& item, const VectorXd& value) {
+  bool signed_item = false;
+  for (int k = 0; k < item.size; ++k) {
+    if (!item.positive[static_cast<std::size_t>(k)]) continue;
+    signed_item = true;
+    if (value[k] > 0) return false;
+  }
+  return signed_item;
+}
+
+}  // namespace
+
+void ShowWhatIsHeld(const MatrixXd& C, Certainty* c) {
   c->shown_value = c->value;
   c->shown_sigma = c->sigma;
   const auto surest = [&] {
@@ -62,19 +74,6 @@ void Show(const MatrixXd& C, Certainty* c) {
     c->shown_sigma = (kept.array().square().matrix() * variance(order)).cwiseSqrt();
   }
 }
-
-/// True if every parameter that must be positive is zero or below.
-bool HasImpossibleSign(const Item& item, const VectorXd& value) {
-  bool signed_item = false;
-  for (int k = 0; k < item.size; ++k) {
-    if (!item.positive[static_cast<std::size_t>(k)]) continue;
-    signed_item = true;
-    if (value[k] > 0) return false;
-  }
-  return signed_item;
-}
-
-}  // namespace
 
 double LogChanceOfGain(double gain, int columns, double rss, const EvidenceRule& rule) {
   const double k = columns;
@@ -121,7 +120,7 @@ Certainties CertaintiesOf(const JointModel& model,
                     ? LogChiSquareTail(square, directions)
                     : LogFTail(square / directions, directions, std::max(rule.dof, 1.0));
     }
-    Show(own, &c);
+    ShowWhatIsHeld(own, &c);
     return c;
   };
   const VectorXd tied = TiedValues(model, joint);

@@ -26,6 +26,10 @@ struct Certainty {
   Eigen::VectorXd shown_value, shown_sigma;
 };
 
+/// Fills what is shown of a value and its sigma, C their covariance: directions are left out, the
+/// least certain first, until one value is certain or none is left.
+void ShowWhatIsHeld(const Eigen::MatrixXd& C, Certainty* certainty);
+
 /// Of a joint fit, by Wald's test.
 struct Certainties {
   std::vector<Certainty> members, completions;

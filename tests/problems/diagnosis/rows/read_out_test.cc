@@ -30,6 +30,41 @@ TEST(ReadOutQuanta, AreTheLastDigitOfDegreesAndMillimetres) {
   EXPECT_NEAR(quanta[3], 1e-3, 1e-15);
 }
 
+TEST(ReadOutQuanta, AGridWasCommanded) {
+  Rng rng(5);
+  for (const double step : {10.0, 12.5, 0.25}) {
+    Recording recording;
+    recording.q.resize(120, 6);
+    for (int k = 0; k < recording.num_rows(); ++k) {
+      for (int j = 0; j < 6; ++j) {
+        recording.q(k, j) = (std::floor(rng.Uniform(0, 6)) - 3) * step * kDegree;
+      }
+    }
+    EXPECT_TRUE(ReadOutQuanta(recording, Kr15()).isZero(0)) << step;
+  }
+}
+
+TEST(ReadOutQuanta, WholeDegreesWereCommanded) {
+  Rng rng(6);
+  Recording recording;
+  recording.q.resize(80, 6);
+  for (double& q : recording.q.reshaped()) q = std::round(rng.Uniform(-100, 100)) * kDegree;
+  EXPECT_TRUE(ReadOutQuanta(recording, Kr15()).isZero(0));
+}
+
+TEST(ReadOutQuanta, FewPosesReadOftenAreStillRounded) {
+  Rng rng(7);
+  Recording recording;
+  recording.q.resize(400, 6);
+  for (int k = 0; k < recording.num_rows(); ++k) {
+    for (int j = 0; j < 6; ++j) {
+      recording.q(k, j) = k >= 40 ? recording.q(k % 40, j)
+                                  : std::round(rng.Uniform(-100, 100) * 100) / 100 * kDegree;
+    }
+  }
+  EXPECT_NEAR(ReadOutQuanta(recording, Kr15())[2], 0.01 * kDegree, 1e-15);
+}
+
 TEST(ReadOutQuanta, AJointThatStandsStillWasNotRounded) {
   Recording recording;
   recording.q = Eigen::MatrixXd::Zero(5, 6);
