@@ -24,7 +24,7 @@ Json SoundFinding() {
 Json SoundDiagnosis() {
   Json d = Json::parse(R"({"verdict": "explained", "false_alarm": 0.01, "moved_parameters": [],
     "misfit": {"p_value": 1e-6, "outliers": 1, "outlier_rows": [7]}})");
-  d["findings"] = {SoundFinding()};
+  d["findings"] = Json::array({SoundFinding()});
   return d;
 }
 
@@ -48,7 +48,8 @@ TEST(Contradictions, AFindingMustBeSure) {
   d["findings"][0]["parameters"][0]["ci95"] = {2e-4, 3e-4};
   EXPECT_THAT(ContradictionsIn(d), Contains(HasSubstr("does not hold its value")));
   d = SoundDiagnosis();
-  d["findings"][0]["cautions"] = {"compliance is negative, which no such mechanism can be"};
+  d["findings"][0]["cautions"] =
+      Json::array({"compliance is negative, which no such mechanism can be"});
   EXPECT_THAT(ContradictionsIn(d), Contains(HasSubstr("negative")));
 }
 

@@ -88,7 +88,7 @@ TEST(RandomScores, ANameTooManyIsExtraBesideTheTruthAndWrongWithoutIt) {
 TEST(RandomScores, ATruthAmongAlternativesOrKeptHypothesesIsListed) {
   const Json answer = AnswerWith({CauseOf("joint_compliance", 2)});
   Json finding = Found("base_compliance", 0);
-  finding["confusable_with"] = {Name("joint_compliance", 2)};
+  finding["confusable_with"] = Json::array({Name("joint_compliance", 2)});
   const RandomScore offered = ScoreRandomCase(answer, ResultWith("ambiguous", {finding}));
   EXPECT_TRUE(offered.listed);
   EXPECT_FALSE(offered.alone);
@@ -104,14 +104,14 @@ TEST(RandomScores, ATruthAmongAlternativesOrKeptHypothesesIsListed) {
 
 TEST(RandomScores, EquivalentNamesCountAtTheirOwnPlaceOnly) {
   Json gear = CauseOf("gear_harmonic", 3);
-  gear["also"] = {"transmission_error"};
+  gear["also"] = Json::array({"transmission_error"});
   const Json answer = AnswerWith({gear});
   EXPECT_TRUE(
       ScoreRandomCase(answer, ResultWith("explained", {Found("transmission_error", 3)})).alone);
   EXPECT_FALSE(
       ScoreRandomCase(answer, ResultWith("explained", {Found("transmission_error", 2)})).alone);
   Json step = CauseOf("joint_step", 1);
-  step["same"] = {Name("base_step", 0)};
+  step["same"] = Json::array({Name("base_step", 0)});
   EXPECT_TRUE(
       ScoreRandomCase(AnswerWith({step}), ResultWith("explained", {Found("base_step", 0)})).alone);
 }
@@ -131,7 +131,7 @@ TEST(RandomScores, WhatCannotBeSeenNeedNotBeFoundAndMay) {
 
 TEST(RandomScores, OutsideTheLibraryOnlyAWrongNameIsWrong) {
   Json tooth = CauseOf("", 3);
-  tooth["also"] = {"transmission_error"};
+  tooth["also"] = Json::array({"transmission_error"});
   const Json answer = AnswerWith({tooth});
   const RandomScore unexplained = ScoreRandomCase(answer, ResultWith("unexplained", {}));
   EXPECT_TRUE(unexplained.outside);
@@ -152,7 +152,7 @@ TEST(RandomScores, WithNothingLeftOutOnlyConsistentIsRight) {
 
 TEST(RandomScores, GeometryThatIsOffMayBeNamedAndNoOther) {
   Json answer = AnswerWith({});
-  answer["geometry"] = {"tool_offset"};
+  answer["geometry"] = Json::array({"tool_offset"});
   const Json tool = Found("tool_offset", 0, "geometry"), base = Found("base_frame", 0, "geometry");
   const RandomScore right = ScoreRandomCase(answer, ResultWith("explained", {tool}));
   EXPECT_FALSE(right.false_alarm);
@@ -164,7 +164,7 @@ TEST(RandomScores, GeometryThatIsOffMayBeNamedAndNoOther) {
   EXPECT_TRUE(moved.alone);
   EXPECT_FALSE(moved.geometry_extra);
   Json offering = Found("base_per_run", 0, "geometry");
-  offering["confusable_with"] = {Name("base_step", 0)};
+  offering["confusable_with"] = Json::array({Name("base_step", 0)});
   const RandomScore offered =
       ScoreRandomCase(AnswerWith({CauseOf("base_step", 0)}), ResultWith("ambiguous", {offering}));
   EXPECT_FALSE(offered.geometry_extra);
