@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <vector>
 
 #include <glog/logging.h>
 
@@ -155,9 +154,7 @@ MatrixXd DividedByItsRoot(const MatrixXd& A, const simd::Kernels& kernels) {
     root.compute(shifted);
     shift *= 100;
   } while (root.info() != Eigen::Success && shift < 1);
-  const MatrixXd inverse =
-      scale.asDiagonal() * MatrixXd(root.matrixU().solve(MatrixXd::Identity(n, n)));
-  return TallProduct(A, inverse, kernels);
+  return TallProduct(A, scale.asDiagonal() * InverseRoot(root), kernels);
 }
 
 }  // namespace
@@ -203,11 +200,14 @@ MatrixXd TallProduct(const Ref<const MatrixXd>& A,
   return Deducted(MatrixXd::Zero(A.rows(), C.cols()), A, -C, kernels);
 }
 
+MatrixXd InverseRoot(const Eigen::LLT<MatrixXd>& factor) {
+  return factor.matrixU().solve(MatrixXd::Identity(factor.rows(), factor.rows()));
+}
+
 MatrixXd DividedByRoot(const Eigen::LLT<MatrixXd>& factor,
                        const Ref<const MatrixXd>& B,
                        const simd::Kernels& kernels) {
-  const MatrixXd inverse = factor.matrixU().solve(MatrixXd::Identity(B.rows(), B.rows()));
-  return TransposedProduct(inverse, B, kernels);
+  return TransposedProduct(InverseRoot(factor), B, kernels);
 }
 
 MatrixXd OrthonormalColumns(MatrixXd A, const simd::Kernels& kernels) {

@@ -31,7 +31,10 @@ Eigen::MatrixXd TallProduct(const Eigen::Ref<const Eigen::MatrixXd>& A,
                             const Eigen::Ref<const Eigen::MatrixXd>& C,
                             const simd::Kernels& kernels = simd::ActiveKernels());
 
-/// L^-1 B, L the lower triangle of a Cholesky factor.
+/// U^-1 of a Cholesky factor U'U.
+Eigen::MatrixXd InverseRoot(const Eigen::LLT<Eigen::MatrixXd>& factor);
+
+/// U^-T B, U'U a Cholesky factor.
 Eigen::MatrixXd DividedByRoot(const Eigen::LLT<Eigen::MatrixXd>& factor,
                               const Eigen::Ref<const Eigen::MatrixXd>& B,
                               const simd::Kernels& kernels = simd::ActiveKernels());

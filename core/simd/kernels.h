@@ -119,8 +119,7 @@ constexpr int kGramBlock = 4;
 struct Kernels {
   const char* name;  // "baseline"
   void (*pose_tile)(const PoseTileArgs& args);
-  /// Returns the largest |T|; not-a-number does not count.
-  double (*substitute)(const SubstituteArgs& args);
+  void (*substitute)(const SubstituteArgs& args);
   void (*gram)(const GramArgs& args);
   void (*cross)(const CrossArgs& args);
   void (*deduct)(const DeductArgs& args);

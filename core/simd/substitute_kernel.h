@@ -37,7 +37,7 @@ class RowVecs {
 
 /// `Vecs` vectors from `vec` on, columns `col` ... `col + Cols`; those before are done.
 template <int Vecs, int Cols>
-DHCAL_INLINE Vec SubstituteBlock(const SubstituteArgs& args, int vec, int col) {
+DHCAL_INLINE void SubstituteBlock(const SubstituteArgs& args, int vec, int col) {
   const RowVecs rows(args);
   const std::ptrdiff_t n = args.num_cols;
   const double* U = args.U + col * n;
@@ -53,40 +53,33 @@ DHCAL_INLINE Vec SubstituteBlock(const SubstituteArgs& args, int vec, int col) {
       for (int c = 0; c < Cols; ++c) t[v][c] -= t_k * U[c * n + k];
     }
   }
-  Vec largest{};
   for (int c = 0; c < Cols; ++c) {
     for (int v = 0; v < Vecs; ++v) {
       for (int k = 0; k < c; ++k) t[v][c] -= t[v][k] * U[c * n + col + k];
       t[v][c] *= args.inverse_diagonal[col + c];
-      largest = Max(Abs(t[v][c]), largest);
       Store(rows.T(vec + v, col + c), t[v][c]);
     }
   }
-  return largest;
 }
 
 template <int Vecs>
-inline Vec SubstituteRows(const SubstituteArgs& args, int vec) {
-  Vec largest{};
+inline void SubstituteRows(const SubstituteArgs& args, int vec) {
   int col = 0;
   for (; col + kGramBlock <= args.num_cols; col += kGramBlock) {
-    largest = Max(SubstituteBlock<Vecs, kGramBlock>(args, vec, col), largest);
+    SubstituteBlock<Vecs, kGramBlock>(args, vec, col);
   }
   for (; col < args.num_cols; ++col) {
-    largest = Max(SubstituteBlock<Vecs, 1>(args, vec, col), largest);
+    SubstituteBlock<Vecs, 1>(args, vec, col);
   }
-  return largest;
 }
 
-double Substitute(const SubstituteArgs& args) {
+void Substitute(const SubstituteArgs& args) {
   const int num_vecs = args.num_packs * kVecsPerPack;
-  Vec largest{};
   int vec = 0;
   for (; vec + kVecsTogether <= num_vecs; vec += kVecsTogether) {
-    largest = Max(SubstituteRows<kVecsTogether>(args, vec), largest);
+    SubstituteRows<kVecsTogether>(args, vec);
   }
-  for (; vec < num_vecs; ++vec) largest = Max(SubstituteRows<1>(args, vec), largest);
-  return LargestLane(largest);
+  for (; vec < num_vecs; ++vec) SubstituteRows<1>(args, vec);
 }
 
 }  // namespace

@@ -37,13 +37,6 @@ DHCAL_INLINE Vec FromBits(Bits bits) {
 }
 
 DHCAL_INLINE Vec Abs(Vec v) { return FromBits(BitsOf(v) & INT64_MAX); }
-/// The larger of each lane; b where a is not a number.
-DHCAL_INLINE Vec Max(Vec a, Vec b) { return a > b ? a : b; }
-DHCAL_INLINE double LargestLane(Vec v) {
-  double largest = v[0];
-  for (int lane = 1; lane < kWidth; ++lane) largest = v[lane] > largest ? v[lane] : largest;
-  return largest;
-}
 /// True where every lane is at most `limit`; not-a-number is not.
 DHCAL_INLINE bool AllAtMost(Vec v, double limit) {
   bool all = true;

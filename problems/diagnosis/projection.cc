@@ -47,7 +47,7 @@ Eigen::MatrixXd OrthonormalBasis(const Eigen::MatrixXd& J, double relative_cut) 
   return Basis(scaled, relative_cut, /*relative=*/true);
 }
 
-Eigen::MatrixXd BasisBeside(const Eigen::MatrixXd& Q, const Eigen::MatrixXd& columns) {
+Eigen::MatrixXd OrthonormalBasisBeside(const Eigen::MatrixXd& Q, const Eigen::MatrixXd& columns) {
   constexpr double kHardly = 1e-8;  // squared
   const Eigen::MatrixXd scaled = columns * ColumnLengths(columns).cwiseInverse().asDiagonal();
   const auto beside = [&](const Eigen::MatrixXd& X) {

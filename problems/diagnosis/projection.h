@@ -16,7 +16,7 @@ Eigen::MatrixXd ThinBasis(const Eigen::MatrixXd& B);
 
 /// Orthonormal basis of what `columns` have beside the orthonormal columns of Q, without directions
 /// that they hardly have (1e-4 of their length).
-Eigen::MatrixXd BasisBeside(const Eigen::MatrixXd& Q, const Eigen::MatrixXd& columns);
+Eigen::MatrixXd OrthonormalBasisBeside(const Eigen::MatrixXd& Q, const Eigen::MatrixXd& columns);
 
 /// Each column's length, to scale by; 1 where it is zero.
 Eigen::VectorXd ColumnLengths(const Eigen::MatrixXd& B);

@@ -87,6 +87,17 @@ std::string OpenAnswer(const CasePaths& paths, Json* answer) {
   return answer->is_discarded() ? paths.answer.string() + " is no JSON" : "";
 }
 
+std::string RunAndOpen(const fs::path& program,
+                       const CasePaths& paths,
+                       Json* result,
+                       Json* answer) {
+  std::string wrong = RunCase(program, paths.problem, paths.result, paths.log);
+  if (wrong.empty()) wrong = OpenAnswer(paths, answer);
+  if (!wrong.empty()) return wrong;
+  *result = ReadJson(paths.result / "result.json");
+  return result->is_discarded() ? "result.json is no JSON" : "";
+}
+
 void ForgetOtherPrograms(const fs::path& folder, const fs::path& program) {
   const fs::path mark = folder / "program.sha256";
   const std::string now = concealed::Sha256(ReadAll(program)) + "\n";

@@ -38,6 +38,12 @@ std::string RunCase(const std::filesystem::path& program,
 /// Opens the seal: only after the program has answered. "" or why it cannot be trusted.
 std::string OpenAnswer(const CasePaths& paths, nlohmann::json* answer);
 
+/// Runs the program on a case, then opens its seal; "" or why there is nothing to score.
+std::string RunAndOpen(const std::filesystem::path& program,
+                       const CasePaths& paths,
+                       nlohmann::json* result,
+                       nlohmann::json* answer);
+
 /// Results of another build of the program are not its own.
 void ForgetOtherPrograms(const std::filesystem::path& folder, const std::filesystem::path& program);
 

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "tools/proof/json_numbers.h"
+
 namespace dhcal {
 namespace {
 
@@ -12,11 +14,6 @@ using Json = nlohmann::json;
 using Sentences = std::vector<std::string>;
 
 constexpr double kLeastCertain = 1.96;  // deviations that one value of a finding differs from zero
-
-double ValueOr(const Json& object, const char* key, double fallback) {
-  const auto found = object.find(key);
-  return found == object.end() || !found->is_number() ? fallback : found->get<double>();
-}
 
 bool HasAlternatives(const Json& finding) { return !finding.at("confusable_with").empty(); }
 
@@ -33,14 +30,14 @@ void LookAtParameter(const Json& parameter, const std::string& name, Sentences* 
 
 void LookAtFinding(const Json& finding, double false_alarm, Sentences* wrong) {
   const std::string name = finding.at("effect").get<std::string>();
-  const double p = ValueOr(finding, "p_value", 0);
+  const double p = NumberOr(finding, "p_value", 0);
   if (IsOutsideOne(p)) wrong->push_back(name + ": its p is no probability");
   if (p > false_alarm) wrong->push_back(name + ": found at a p above the rate of false alarms");
   double surest = 0;
   for (const Json& parameter : finding.at("parameters")) {
     LookAtParameter(parameter, name, wrong);
-    const double sigma = ValueOr(parameter, "sigma", 0);
-    if (sigma > 0) surest = std::max(surest, std::abs(ValueOr(parameter, "value", 0)) / sigma);
+    const double sigma = NumberOr(parameter, "sigma", 0);
+    if (sigma > 0) surest = std::max(surest, std::abs(NumberOr(parameter, "value", 0)) / sigma);
   }
   if (!finding.at("parameters").empty() && surest < kLeastCertain) {
     wrong->push_back(name + ": no value differs from zero by two deviations");
@@ -68,7 +65,7 @@ void LookAtVerdict(const Json& d, Sentences* wrong) {
   if (verdict == "consistent") {
     say(!findings.empty(), "but there are findings");
     say(rest, "but something is unexplained");
-    say(ValueOr(d.at("misfit"), "p_value", 1) < ValueOr(d, "false_alarm", 0), "at a small p");
+    say(NumberOr(d.at("misfit"), "p_value", 1) < NumberOr(d, "false_alarm", 0), "at a small p");
   } else if (verdict == "explained") {
     say(findings.empty(), "but there is no finding");
     say(alternatives, "but a finding has alternatives");
@@ -87,15 +84,15 @@ void LookAtVerdict(const Json& d, Sentences* wrong) {
 void LookAtTotals(const Json& d, Sentences* wrong) {
   const Json& misfit = d.at("misfit");
   const auto listed = static_cast<double>(misfit.at("outlier_rows").size());
-  if (ValueOr(misfit, "outliers", listed) != listed) {
+  if (NumberOr(misfit, "outliers", listed) != listed) {
     wrong->push_back("rows set aside: not as many as are listed");
   }
-  if (IsOutsideOne(ValueOr(misfit, "p_value", 0))) wrong->push_back("misfit: p is no probability");
+  if (IsOutsideOne(NumberOr(misfit, "p_value", 0))) wrong->push_back("misfit: p is no probability");
   if (d.at("findings").empty() && !d.at("moved_parameters").empty()) {
     wrong->push_back("parameters moved by something without findings");
   }
   if (!d.contains("unexplained")) return;
-  const double fraction = ValueOr(d.at("unexplained"), "fraction", -1);
+  const double fraction = NumberOr(d.at("unexplained"), "fraction", -1);
   if (fraction <= 0 || fraction > 1) {
     wrong->push_back(fmt::format("unexplained: a fraction of {:.3g}", fraction));
   }
@@ -105,7 +102,7 @@ void LookAtTotals(const Json& d, Sentences* wrong) {
 
 std::vector<std::string> ContradictionsIn(const Json& diagnosis) {
   Sentences wrong;
-  const double false_alarm = ValueOr(diagnosis, "false_alarm", 0.01);
+  const double false_alarm = NumberOr(diagnosis, "false_alarm", 0.01);
   for (const Json& finding : diagnosis.at("findings")) LookAtFinding(finding, false_alarm, &wrong);
   LookAtVerdict(diagnosis, &wrong);
   LookAtTotals(diagnosis, &wrong);

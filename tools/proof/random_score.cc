@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "tools/proof/contradictions.h"
+#include "tools/proof/json_numbers.h"
 
 namespace dhcal {
 namespace {
@@ -15,25 +16,18 @@ using Json = nlohmann::json;
 constexpr double kSurePower = 0.95;  // a cause is detectable
 constexpr double kShows = 0.05;      // physics of no library disturbs what else is named
 
-double NumberIn(const Json& object, const char* key, double fallback) {
-  const auto found = object.find(key);
-  return found == object.end() || !found->is_number() ? fallback : found->get<double>();
-}
-
-int JointIn(const Json& effect) { return static_cast<int>(NumberIn(effect, "joint", 0)); }
-
 /// A name (finding, alternative, member of a hypothesis) that is the cause's own, or one of those
 /// that say the same of such readings. Settings of a name (orders, drivers, instants) do not count.
 bool Names(const Json& name, const Json& cause) {
   const std::string effect = name.at("effect");
-  const int joint = JointIn(name), place = JointIn(cause);
+  const int joint = JointOf(name), place = JointOf(cause);
   const Json& also = cause.at("also");
   const bool alike =
       effect == cause.at("effect") || std::find(also.begin(), also.end(), effect) != also.end();
   if (alike && (place == 0 || joint == place)) return true;
   const Json& same = cause.at("same");
   return std::any_of(same.begin(), same.end(), [&](const Json& other) {
-    return effect == other.at("effect") && (JointIn(other) == 0 || joint == JointIn(other));
+    return effect == other.at("effect") && (JointOf(other) == 0 || joint == JointOf(other));
   });
 }
 
@@ -81,9 +75,9 @@ bool IsOff(const Json& answer, const Json& finding) {
 
 std::string Words(const Json& finding) {
   std::string words =
-      fmt::format("{}.{}", finding.at("effect").get<std::string>(), JointIn(finding));
+      fmt::format("{}.{}", finding.at("effect").get<std::string>(), JointOf(finding));
   for (const Json& other : finding.at("confusable_with")) {
-    words += fmt::format(" | {}.{}", other.at("effect").get<std::string>(), JointIn(other));
+    words += fmt::format(" | {}.{}", other.at("effect").get<std::string>(), JointOf(other));
   }
   return words;
 }
@@ -92,9 +86,9 @@ void ScoreCauses(const Json& answer, const Json& diagnosis, RandomScore* score) 
   for (const Json& cause : answer.at("causes")) {
     CauseScore one;
     one.effect = cause.at("effect");
-    one.joint = JointIn(cause);
-    one.visible = NumberIn(cause, "visible_sigmas", 0);
-    one.power = NumberIn(cause, "power", 0);
+    one.joint = JointOf(cause);
+    one.visible = NumberOr(cause, "visible_sigmas", 0);
+    one.power = NumberOr(cause, "power", 0);
     one.detectable = one.power > kSurePower && !one.effect.empty();
     one.named = AnyNames(diagnosis.at("findings"), cause);
     one.listed = IsListed(diagnosis, cause);
@@ -166,7 +160,7 @@ RandomScore ScoreRandomCase(const Json& answer, const Json& result) {
   const Json& diagnosis = result.at("diagnosis");
   score.verdict = diagnosis.at("verdict");
   if (score.verdict == "failed") score.failure = "the diagnosis failed";
-  score.seconds = NumberIn(diagnosis, "seconds", score.seconds);
+  score.seconds = NumberOr(diagnosis, "seconds", score.seconds);
   const Json& hypotheses = diagnosis.at("hypotheses");
   score.kept =
       static_cast<int>(std::count_if(hypotheses.begin(), hypotheses.end(), [](const auto& h) {

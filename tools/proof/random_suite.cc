@@ -22,13 +22,9 @@ RandomScore FailedRandom(int seed, const std::string& why) {
 RandomScore ProveRandom(const ProofOptions& options, int seed) {
   const CasePaths paths(options.folder, concealed::NameOfRandom(seed));
   if (!IsMade(paths)) WriteCase(concealed::FilesOf(concealed::MakeRandomTrial(seed)), paths);
-  std::string wrong = RunCase(options.program, paths.problem, paths.result, paths.log);
+  nlohmann::json result, answer;
+  const std::string wrong = RunAndOpen(options.program, paths, &result, &answer);
   if (!wrong.empty()) return FailedRandom(seed, wrong);
-  nlohmann::json answer;
-  wrong = OpenAnswer(paths, &answer);
-  if (!wrong.empty()) return FailedRandom(seed, wrong);
-  const nlohmann::json result = ReadJson(paths.result / "result.json");
-  if (result.is_discarded()) return FailedRandom(seed, "result.json is no JSON");
   return ScoreRandomCase(answer, result);
 }
 

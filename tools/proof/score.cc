@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "tools/proof/json_numbers.h"
+
 namespace dhcal {
 namespace {
 
@@ -12,13 +14,6 @@ using Json = nlohmann::json;
 
 constexpr double kDetectablePower = 0.95;
 constexpr double kSameOrder = 0.3;  // lines per turn
-
-double NumberOr(const Json& object, const char* key, double fallback) {
-  const auto found = object.find(key);
-  return found == object.end() || !found->is_number() ? fallback : found->get<double>();
-}
-
-int JointOf(const Json& effect) { return static_cast<int>(NumberOr(effect, "joint", 0)); }
 
 /// A name (finding, alternative or member of a hypothesis) that is the cause's own.
 bool IsCause(const Json& effect, const Json& cause) {

@@ -62,13 +62,9 @@ ProofScore Failed(const ProofCase& wanted, const std::string& why) {
 ProofScore Prove(const ProofOptions& options, const ProofCase& wanted) {
   const CasePaths paths(options.folder, NameOf(wanted));
   Make(wanted, paths);
-  std::string wrong = RunCase(options.program, paths.problem, paths.result, paths.log);
+  Json result, answer;
+  const std::string wrong = RunAndOpen(options.program, paths, &result, &answer);
   if (!wrong.empty()) return Failed(wanted, wrong);
-  Json answer;
-  wrong = OpenAnswer(paths, &answer);
-  if (!wrong.empty()) return Failed(wanted, wrong);
-  const Json result = ReadJson(paths.result / "result.json");
-  if (result.is_discarded()) return Failed(wanted, "result.json is no JSON");
   return ScoreCase(answer, result, Oracle(options, paths, answer));
 }
 

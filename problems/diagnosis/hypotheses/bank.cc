@@ -199,7 +199,7 @@ Bank::Rest Bank::RestBeside(const std::vector<int>& active) const {
   rest.basis = Q_;
   rest.y = y_ - Q_ * qy_;
   if (active.empty()) return rest;
-  const MatrixXd extra = BasisBeside(Q_, C_(Eigen::all, ColumnsOfItems(active)));
+  const MatrixXd extra = OrthonormalBasisBeside(Q_, C_(Eigen::all, ColumnsOfItems(active)));
   rest.basis.conservativeResize(Eigen::NoChange, Q_.cols() + extra.cols());
   rest.basis.rightCols(extra.cols()) = extra;
   rest.y -= extra * (extra.transpose() * rest.y);

@@ -46,7 +46,7 @@ std::vector<int> RandomFolds(int rows) {
 
 }  // namespace
 
-UnseenRows::Rows UnseenRows::RowsOf(const JointModel& /*model*/, const JointRows& joint) const {
+UnseenRows::Rows UnseenRows::RowsOf(const JointRows& joint) const {
   Rows rows;
   const Index masses = static_cast<Index>(mass_idx_.size());
   rows.A = MatrixXd::Zero(joint.y().size(), num_free_ + joint.X.cols() + masses);
@@ -83,10 +83,10 @@ UnseenRows::UnseenRows(const JointModel& model,
     elastic_.push_back(member.item.elastic);
     first += member.item.size;
   }
-  white_ = RowsOf(model, joint);
+  white_ = RowsOf(joint);
   RowChoice unit = choice;
   unit.weights = RowWeights();
-  raw_ = RowsOf(model, model.At(joint.state, unit, joint.free));
+  raw_ = RowsOf(model.At(joint.state, unit, joint.free));
   const Augmented augmented = AugmentedRows(model, joint, joint.N);
   const Index rows = joint.y().size();
   const MatrixXd priors = augmented.B.bottomRows(augmented.B.rows() - rows);
@@ -99,9 +99,9 @@ UnseenRows::UnseenRows(const JointModel& model,
   if (!test.empty()) {
     RowChoice of_test = choice;
     of_test.readings = test;
-    test_white_ = RowsOf(model, model.At(joint.state, of_test, joint.free));
+    test_white_ = RowsOf(model.At(joint.state, of_test, joint.free));
     of_test.weights = RowWeights();
-    test_raw_ = RowsOf(model, model.At(joint.state, of_test, joint.free));
+    test_raw_ = RowsOf(model.At(joint.state, of_test, joint.free));
     Way way;
     way.test = true;
     way.method = "set column";

@@ -59,7 +59,7 @@ class UnseenRows {
     std::string method;
     bool test = false;
   };
-  Rows RowsOf(const JointModel& model, const JointRows& joint) const;
+  Rows RowsOf(const JointRows& joint) const;
   void AddWay(const std::string& method, const std::vector<int>& fold_of_row, int folds);
   void ChooseAnnounced();
   double RmsOfWay(const Way& way, const std::vector<int>& dropped) const;

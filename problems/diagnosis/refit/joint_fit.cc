@@ -169,9 +169,7 @@ MatrixXd NormalFactor::Inverse() const {
 }
 
 MatrixXd NormalFactor::Whiten(const MatrixXd& rows) const {
-  const Index size = scale_.size();
-  const MatrixXd root = factor_.matrixU().solve(MatrixXd::Identity(size, size));
-  return TallProduct(rows, scale_.asDiagonal() * root);
+  return TallProduct(rows, scale_.asDiagonal() * InverseRoot(factor_));
 }
 
 }  // namespace dhcal

@@ -46,7 +46,7 @@ class NormalFactor {
   /// (B'B)^-1 b.
   Eigen::VectorXd Solve(const Eigen::VectorXd& b) const;
   Eigen::MatrixXd Inverse() const;
-  /// Columns whose squared lengths are the leverages of rows in the fit: L^-1 rows'.
+  /// Rows whose squared lengths are the leverages of `rows` in the fit.
   Eigen::MatrixXd Whiten(const Eigen::MatrixXd& rows) const;
 
  private:

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/sanitized.h"
+#include "tests/support/temp_folder.h"
 #include "tools/proof/score.h"
 #include "tools/proof/suite.h"
 #include "tools/proof/table.h"
@@ -157,18 +158,16 @@ TEST(ProofFigures, SayWhichBarIsNotReached) {
 class Suite : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "dhcal_prove_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    options_.folder = pattern;
+    options_.folder = folder_.path();
     options_.program = DHCAL_PROGRAM;
     options_.jobs = 2;
   }
-  void TearDown() override { fs::remove_all(options_.folder); }
 
   std::vector<ProofScore> Run() const {
     return RunProof(options_, [](int /*done*/, int /*all*/) {});
   }
 
+  const TempFolder folder_;
   ProofOptions options_;
 };
 

@@ -3,21 +3,18 @@
 #include "tools/proof/random_suite.h"
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "tests/support/sanitized.h"
+#include "tests/support/temp_folder.h"
 #include "tools/proof/random_rates.h"
 #include "tools/proof/random_table.h"
 
 namespace dhcal {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kChance = 1e-3;  // that a program at its bar fails here by bad luck
 
@@ -39,15 +36,13 @@ TEST(MostByChance, IsTheBinomialQuantile) {
 }
 
 TEST(RandomSuite, TwelveSeedsKeepTheBars) {
-  std::string pattern = (fs::temp_directory_path() / "dhcal_prove_XXXXXX").string();
-  ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+  const TempFolder folder;
   ProofOptions options;
-  options.folder = pattern;
+  options.folder = folder.path();
   options.program = DHCAL_PROGRAM;
   options.random = kSanitized ? 2 : 12;
   options.first = 1;
   const std::vector<RandomScore> scores = RunRandomProof(options, [](int /*done*/, int /*all*/) {});
-  fs::remove_all(options.folder);
   ASSERT_EQ(static_cast<int>(scores.size()), options.random);
   for (const RandomScore& score : scores) {
     EXPECT_EQ(score.failure, "") << score.name;

@@ -10,35 +10,16 @@
 
 #include "core/base/units.h"
 #include "core/io/csv_text.h"
+#include "tools/proof/simulator/arm_yaml.h"
 
 namespace dhcal::concealed {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string Numbers(const Eigen::Vector3d& v) {
-  return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", v.x(), v.y(), v.z());
-}
-
-std::string RobotYaml(const Trial& trial) {
-  const Arm& arm = trial.drawing;
-  std::string text =
-      fmt::format("robot:\n  name: {}\n  convention: standard\n  joints:\n", arm.title);
-  for (const DrawnLink& link : arm.links) {
-    text +=
-        fmt::format("    - {{theta_deg: {:.9g}, d_m: {:.9g}, a_m: {:.9g}, alpha_deg: {:.9g}}}\n",
-                    link.theta / kDegree,
-                    link.d,
-                    link.a,
-                    link.alpha / kDegree);
-  }
-  text += fmt::format("  tool: {{xyz_m: {}}}\n  links:\n", Numbers(arm.tool.translation()));
-  for (const DrawnLink& link : arm.links) {
-    text += fmt::format("    - {{mass_kg: {:.4g}, com_m: {}}}\n", link.mass, Numbers(link.com));
-  }
-  text += fmt::format(
-      "  payload: {{mass_kg: {:.4g}, com_m: {}}}\n", arm.payload, Numbers(arm.payload_com));
-  return text;
+std::string RobotYaml(const Arm& arm) {
+  return fmt::format("robot:\n  name: {}\n  convention: standard\n", arm.title) + JointsYaml(arm) +
+         fmt::format("  tool: {{xyz_m: {}}}\n", YamlList(arm.tool.translation())) + MassesYaml(arm);
 }
 
 std::string MeasurementYaml(const Trial& trial) {
@@ -61,7 +42,7 @@ std::string ProblemYaml(const Trial& trial,
       "  estimate: {}\n{}diagnosis: {}\n",
       head,
       name,
-      RobotYaml(trial),
+      RobotYaml(trial.drawing),
       MeasurementYaml(trial),
       estimate,
       effects,

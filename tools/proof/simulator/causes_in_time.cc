@@ -1,4 +1,5 @@
 // Causes that depend on the clock, on the row or on the run.
+#include <functional>
 #include <string>
 
 #include <fmt/format.h>
@@ -8,10 +9,16 @@
 namespace dhcal::concealed {
 namespace {
 
-/// A column that warms link 1 and then link 2: the order in which the heat goes.
-void AddBody(Physics* physics, const ThermalBody& body) {
-  const auto place = body.link == 1 ? physics->thermal.begin() : physics->thermal.end();
-  physics->thermal.insert(place, body);
+/// A link that warms up; link 1 before link 2: the order in which the heat goes.
+std::function<void(Physics*, double)> WarmsUp(int link, double strain, double lag) {
+  return [=](Physics* physics, double scale) {
+    ThermalBody body;
+    body.link = link;
+    body.strain = scale * strain;
+    body.lag = lag;
+    const auto place = link == 1 ? physics->thermal.begin() : physics->thermal.end();
+    physics->thermal.insert(place, body);
+  };
 }
 
 }  // namespace
@@ -20,13 +27,7 @@ Cause FirstLinkGrows(double strain, double lag) {
   Cause cause = At(NamedCause("link_thermal", 1, "C5"), "link 1", "d1");
   cause.settings = {{"time_constant_s", lag}};
   cause.values = {{"strain", strain}};
-  cause.apply = [=](Physics* physics, double scale) {
-    ThermalBody body;
-    body.link = 1;
-    body.strain = scale * strain;
-    body.lag = lag;
-    AddBody(physics, body);
-  };
+  cause.apply = WarmsUp(1, strain, lag);
   return cause;
 }
 
@@ -34,13 +35,7 @@ Cause SecondLinkGrows(double strain, double lag) {
   Cause cause = At(NamedCause("link_thermal", 2, "C5"), "link 2", "a2");
   cause.settings = {{"time_constant_s", lag}};
   // Behind link 1 where that warms, too: no single exponential, so no size is compared.
-  cause.apply = [=](Physics* physics, double scale) {
-    ThermalBody body;
-    body.link = 2;
-    body.strain = scale * strain;
-    body.lag = lag;
-    AddBody(physics, body);
-  };
+  cause.apply = WarmsUp(2, strain, lag);
   return cause;
 }
 

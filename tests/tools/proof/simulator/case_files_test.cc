@@ -12,10 +12,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "problems/formats/problem/problem_reader.h"
-#include "problems/formats/recording/recording_reader.h"
 #include "tests/support/files.h"
 #include "tests/support/sanitized.h"
+#include "tests/tools/proof/simulator/read_back.h"
 #include "tools/proof/simulator/scenarios.h"
 
 namespace dhcal::concealed {
@@ -45,19 +44,9 @@ class EveryScenario : public ::testing::TestWithParam<Scenario> {
 TEST_P(EveryScenario, GivesFilesThatTheProgramReadsAndAnAnswerThatItDoesNotSee) {
   if (GetParam().most_seeds == 1) GTEST_SKIP() << "100,000 rows; dhcal_prove runs it";
   const CaseFiles files = FilesOf(Make(2));
-  std::string pattern = (fs::temp_directory_path() / "dhcal_case_XXXXXX").string();
-  ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-  const fs::path folder = pattern;
-  std::ofstream(folder / "problem.yaml") << files.problem;
-  std::ofstream(folder / "recording.csv") << files.recording;
-  Diagnostics diagnostics;
-  const auto spec = ReadProblemFile((folder / "problem.yaml").string(), "", &diagnostics);
-  ASSERT_TRUE(spec) << diagnostics.ToString();
-  const auto recording =
-      ReadRecording((folder / "recording.csv").string(), spec->robot.joints, &diagnostics);
-  ASSERT_TRUE(recording) << diagnostics.ToString();
-  fs::remove_all(folder);
-  EXPECT_GE(recording->num_rows(), 200);
+  const ReadCase read = ReadBack(files);
+  ASSERT_TRUE(read.spec && read.recording) << read.diagnostics.ToString();
+  EXPECT_GE(read.recording->num_rows(), 200);
   EXPECT_THAT(files.problem, HasSubstr(Sha256(files.answer)));
   EXPECT_THAT(files.problem, Not(HasSubstr("effect")));
   EXPECT_THAT(files.problem, Not(HasSubstr("beta")));

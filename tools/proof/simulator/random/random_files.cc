@@ -6,64 +6,35 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/units.h"
+#include "tools/proof/simulator/arm_yaml.h"
 #include "tools/proof/simulator/random/random_recording.h"
 
 namespace dhcal::concealed {
 namespace {
 
 using Eigen::Isometry3d;
-using Eigen::Vector3d;
 using Json = nlohmann::ordered_json;
-
-std::string List(const Vector3d& v) {
-  return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", v.x(), v.y(), v.z());
-}
-
-std::string JointsYaml(const Arm& arm) {
-  std::string text = "  joints:\n";
-  for (const DrawnLink& link : arm.links) {
-    text +=
-        fmt::format("    - {{theta_deg: {:.9g}, d_m: {:.9g}, a_m: {:.9g}, alpha_deg: {:.9g}{}}}\n",
-                    link.theta / kDegree,
-                    link.d,
-                    link.a,
-                    link.alpha / kDegree,
-                    link.slides ? ", type: prismatic" : "");
-  }
-  return text;
-}
 
 /// The base is level: turned about the vertical only.
 std::string BaseYaml(const RandomTrial& trial) {
   const Isometry3d& base = trial.drawing.base;
   const double heading = std::atan2(base.linear()(1, 0), base.linear()(0, 0));
   return fmt::format("  base: {{xyz_m: {}, rpy_deg: [0, 0, {:.9g}]{}}}\n",
-                     List(base.translation()),
+                     YamlList(base.translation()),
                      heading / kDegree,
                      trial.settings.setups == Setups::kStated ? ", per_run: true" : "");
 }
 
 std::string ToolYaml(const Arm& arm) {
   if (arm.targets.empty()) {
-    return fmt::format("  tool: {{xyz_m: {}}}\n", List(arm.tool.translation()));
+    return fmt::format("  tool: {{xyz_m: {}}}\n", YamlList(arm.tool.translation()));
   }
   std::string text = "  targets:\n";
   for (int k = 0; k < arm.num_targets(); ++k) {
-    text += fmt::format("    {}: {{xyz_m: {}}}\n", LetterOf(k), List(arm.target(k).translation()));
+    text +=
+        fmt::format("    {}: {{xyz_m: {}}}\n", LetterOf(k), YamlList(arm.target(k).translation()));
   }
   return text;
-}
-
-std::string MassesYaml(const RandomTrial& trial) {
-  if (trial.settings.masses == Said::kNothing) return "";
-  const Arm& arm = trial.stated;
-  std::string text = "  links:\n";
-  for (const DrawnLink& link : arm.links) {
-    text += fmt::format("    - {{mass_kg: {:.4g}, com_m: {}}}\n", link.mass, List(link.com));
-  }
-  return text + fmt::format("  payload: {{mass_kg: {:.4g}, com_m: {}}}\n",
-                            arm.payload,
-                            List(arm.payload_com));
 }
 
 std::string ReadingsYaml(const RandomTrial& trial) {
@@ -83,7 +54,7 @@ std::string ReadingsYaml(const RandomTrial& trial) {
   text += "  anchors:\n";
   for (std::size_t k = 0; k < trial.anchors.size(); ++k) {
     text += fmt::format(
-        "    {}: {{xyz_m: {}}}\n", LetterOf(static_cast<int>(k)), List(trial.anchors[k]));
+        "    {}: {{xyz_m: {}}}\n", LetterOf(static_cast<int>(k)), YamlList(trial.anchors[k]));
   }
   return text;
 }
@@ -97,7 +68,8 @@ std::string RandomProblem(const RandomTrial& trial, const std::string& hash) {
              hash,
              arm.title,
              arm.convention == Convention::kStandard ? "standard" : "modified") +
-         JointsYaml(arm) + BaseYaml(trial) + ToolYaml(arm) + MassesYaml(trial) +
+         JointsYaml(arm) + BaseYaml(trial) + ToolYaml(arm) +
+         (trial.settings.masses == Said::kNothing ? "" : MassesYaml(trial.stated)) +
          ReadingsYaml(trial) +
          fmt::format(
              "recording: recording.csv\nparameters:\n  estimate: {}\n"

@@ -3,9 +3,6 @@
 
 #include "tools/proof/simulator/random/random_trial.h"
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <string>
@@ -14,16 +11,14 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "problems/formats/problem/problem_reader.h"
-#include "problems/formats/recording/recording_reader.h"
 #include "tests/support/sanitized.h"
+#include "tests/tools/proof/simulator/read_back.h"
 #include "tools/proof/simulator/random/poses.h"
 #include "tools/proof/simulator/random/random_files.h"
 
 namespace dhcal::concealed {
 namespace {
 
-namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -44,20 +39,10 @@ class RandomSeed : public ::testing::TestWithParam<int> {};
 TEST_P(RandomSeed, GivesFilesThatTheProgramReadsAndAnAnswerThatItDoesNotSee) {
   const RandomTrial trial = MakeRandomTrial(GetParam());
   const CaseFiles files = FilesOf(trial);
-  std::string pattern = (fs::temp_directory_path() / "dhcal_random_XXXXXX").string();
-  ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-  const fs::path folder = pattern;
-  std::ofstream(folder / "problem.yaml") << files.problem;
-  std::ofstream(folder / "recording.csv") << files.recording;
-  Diagnostics diagnostics;
-  const auto spec = ReadProblemFile((folder / "problem.yaml").string(), "", &diagnostics);
-  ASSERT_TRUE(spec) << diagnostics.ToString();
-  const auto recording =
-      ReadRecording((folder / "recording.csv").string(), spec->robot.joints, &diagnostics);
-  ASSERT_TRUE(recording) << diagnostics.ToString();
-  fs::remove_all(folder);
-  EXPECT_EQ(diagnostics.ToString(), "") << "no unknown column";
-  EXPECT_EQ(recording->num_rows(), trial.motion.num_poses());
+  const ReadCase read = ReadBack(files);
+  ASSERT_TRUE(read.spec && read.recording) << read.diagnostics.ToString();
+  EXPECT_EQ(read.diagnostics.ToString(), "") << "no unknown column";
+  EXPECT_EQ(read.recording->num_rows(), trial.motion.num_poses());
   EXPECT_THAT(files.problem, HasSubstr(Sha256(files.answer)));
   EXPECT_THAT(files.problem, Not(HasSubstr("effect")));
   EXPECT_THAT(files.problem, Not(HasSubstr("beta")));
