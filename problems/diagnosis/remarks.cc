@@ -121,6 +121,9 @@ void RemarkOnDecimals(const ProblemSpec& spec,
   const double moved = RoundingAtPoint(context, quanta);
   const double noise = std::sqrt(3.0) * result.noise_sigma;
   if (!(moved > kCoarse * noise)) return;
+  // What leaves less than rounding must was not rounded: such angles were commanded.
+  const FitResult* const fit = result.delivered_fit();
+  if (fit != nullptr && std::sqrt(3.0) * fit->rms < kCoarse * moved) return;
   remarks->push_back(fmt::format(
       "The joint coordinates were written in steps of {}. This rounding alone moves the point by "
       "{:.2g} mm RMS (3-D), beside a noise of {:.2g} mm: no model of this recording can leave "

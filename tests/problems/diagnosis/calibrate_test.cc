@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/units.h"
+#include "tests/support/problem_cases.h"
 #include "tools/study/scenarios.h"
 
 namespace dhcal {
@@ -85,6 +87,19 @@ TEST(Calibrate, AMisreadRowIsSetAsideAndNotFitted) {
   for (const RowResidual& row : result.residuals) {
     EXPECT_EQ(row.set_aside, row.row_idx == kMisread ? aside.reason : "") << row.row_idx;
   }
+}
+
+TEST(Calibrate, SpeaksOfRoundedAnglesOnlyWhereTheyLeaveAsMuch) {
+  // The paper's increments are tenths of a degree, and exact: 39 nm are left.
+  const ProblemSpec spec = LoadCase("kr15");
+  const Recording exact = RecordingOf(spec);
+  const auto speaks = testing::Contains(testing::HasSubstr("in steps of 0.1 deg"));
+  EXPECT_THAT(Calibrate(spec, exact, {}).notes, Not(speaks));
+  // Angles that were rounded to such steps after the arm had stood elsewhere leave far more.
+  Scenario scenario;
+  Draw draw = MakeDraw(scenario, 3);
+  draw.recording.q = (draw.recording.q / (0.1 * kDegree)).array().round() * (0.1 * kDegree);
+  EXPECT_THAT(Calibrate(draw.spec, draw.recording, {}).notes, speaks);
 }
 
 TEST(Calibrate, WithoutADiagnosisNothingIsDeliveredOrSetAside) {
