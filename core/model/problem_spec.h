@@ -33,6 +33,7 @@ struct MeasurementSpec {
   NoiseKind noise = NoiseKind::kIndependent;
   bool anchored = false;        // pairs: the first pose of each run and target is read, too
   std::vector<Anchor> anchors;  // where the kind has anchors
+  SourceLocation where;
 };
 
 struct ParameterSpec {

@@ -22,6 +22,9 @@ struct Recording {
   std::vector<int> lines;   // line of each row in `file`; empty when made by simulation
   Eigen::VectorXd numbers;  // of each row in another recording, from 0; empty = as they stand
 
+  std::vector<std::string> q_names, p_names;  // of the columns in `file`; empty = not from a file
+  int header_line = 0;                        // where they stand
+
   Eigen::MatrixXd q;             // num_rows x n [rad] or [m], as the controller reported it
   Eigen::MatrixXd p_WQ;          // num_rows x 3 [m] measured position
   Eigen::MatrixXd displacement;  // num_rows x 3 [m] from the previous row of the same run

@@ -15,6 +15,7 @@
 #include "core/model/parameter.h"
 #include "core/model/problem_spec.h"
 #include "core/model/recording.h"
+#include "core/model/setup.h"
 
 namespace dhcal {
 
@@ -202,6 +203,7 @@ struct Result {
   std::optional<DeliveredModel> delivered;
   std::vector<RowSetAside> rows_set_aside;
   bool simulated = false;
+  SetupResult setup;
   std::vector<std::string> notes;  // warnings a reader of the report should see
 
   const FitResult* best() const { return best_fit < 0 ? nullptr : &fits[best_fit]; }

@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/base/diagnostics.h"
+
 namespace dhcal {
 
 enum class DhConvention { kStandard, kModified };
@@ -17,12 +19,13 @@ enum class JointType { kRevolute, kPrismatic };
 struct JointRow {
   std::string name;
   JointType type = JointType::kRevolute;
-  double theta = 0;  // [rad]
-  double d = 0;      // [m]
-  double a = 0;      // [m]
-  double alpha = 0;  // [rad]
-  double beta = 0;   // [rad] Hayati's angle; zero in a plain DH row
-  double sign = 1;   // +1 or -1: the controller's sense of the joint against DH's
+  double theta = 0;      // [rad]
+  double d = 0;          // [m]
+  double a = 0;          // [m]
+  double alpha = 0;      // [rad]
+  double beta = 0;       // [rad] Hayati's angle; zero in a plain DH row
+  double sign = 1;       // +1 or -1: the controller's sense of the joint against DH's
+  SourceLocation where;  // in the problem file
 };
 
 /// Mass of one link, in the frame that its DH row ends in.
@@ -51,6 +54,7 @@ struct RunFrame {
 
 struct RobotModel {
   std::string name;
+  SourceLocation where;  // in the problem file
   DhConvention convention = DhConvention::kStandard;
   std::vector<JointRow> joints;
 

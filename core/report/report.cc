@@ -13,14 +13,19 @@ namespace {
 std::string TextReport(const Document& document) { return ToText(document); }
 
 std::vector<Section> Sections(const ProblemSpec& spec, const Result& result) {
+  if (!result.setup.plausible) {
+    return {InputSection(spec, result), SetupSection(result), SolverSection(result)};
+  }
   if (result.best() == nullptr) {
     return {InputSection(spec, result),
+            SetupSection(result),
             NoOutcomeSection(result),
             DiagnosisSection(spec, result),
             SolverSection(result),
             NotesSection(result)};
   }
   return {InputSection(spec, result),
+          SetupSection(result),
           SetAsideSection(result),
           OutcomeSection(result),
           DiagnosisSection(spec, result),

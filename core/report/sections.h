@@ -13,6 +13,9 @@ namespace dhcal {
 /// What was read and asked: robot, recording, rows, measurement, noise, solver.
 Section InputSection(const ProblemSpec& spec, const Result& result);
 
+/// Whether the files can belong together and what is odd about them; empty where nothing is.
+Section SetupSection(const Result& result);
+
 /// Rows that were found misread; empty without any.
 Section SetAsideSection(const Result& result);
 

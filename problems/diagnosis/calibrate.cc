@@ -1,6 +1,7 @@
 #include "problems/diagnosis/calibrate.h"
 
 #include <exception>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "problems/diagnosis/rows/oddities.h"
 #include "problems/identify.h"
 #include "problems/judgement.h"
+#include "problems/setup/plausibility.h"
 
 namespace dhcal {
 namespace {
@@ -31,14 +33,23 @@ void FitAgain(const ProblemSpec& spec,
               Result* result) {
   Result again = IdentifyGeometry(spec, marked, progress);
   if (again.best() == nullptr) return;
+  again.setup = std::move(result->setup);
   again.diagnosis = std::move(result->diagnosis);
   *result = std::move(again);
 }
 
 Result WithDiagnosis(const ProblemSpec& spec,
                      const Recording& recording,
-                     const Progress& progress) {
+                     const Progress& progress,
+                     std::optional<CuredFiles>* cured) {
   Result result = IdentifyGeometry(spec, recording, progress);
+  SetupJudgement judgement = JudgeSetup(spec, recording, result);
+  result.setup = std::move(judgement.setup);
+  if (!result.setup.plausible) {
+    if (cured != nullptr) *cured = std::move(judgement.cured);
+    Refuse(&result);
+    return result;
+  }
   if (!WantsDiagnosis(spec, result)) return result;
   result.diagnosis = Guarded([&] { return Diagnose(spec, recording, result, progress); });
   const std::vector<int> rows = result.diagnosis->misfit.outlier_rows;
@@ -67,8 +78,12 @@ void Widen(double times, ParameterResult* p) {
 
 }  // namespace
 
-Result Calibrate(const ProblemSpec& spec, const Recording& recording, const Progress& progress) {
-  Result result = WithDiagnosis(spec, recording, progress);
+Result Calibrate(const ProblemSpec& spec,
+                 const Recording& recording,
+                 const Progress& progress,
+                 std::optional<CuredFiles>* cured) {
+  Result result = WithDiagnosis(spec, recording, progress, cured);
+  if (!result.setup.plausible) return result;
   const Widening widening = WideningOf(recording, result);
   for (std::string& remark : Remarks(spec, recording, result, widening)) {
     result.notes.push_back(std::move(remark));

@@ -101,29 +101,53 @@ struct Outcome {
   int exit_status = kExitOk;
 };
 
-Outcome RunJob(const Job& job, bool quiet) {
+/// As the files stand or, where the user wants that and one cure is certain, as they would be
+/// cured: the job then holds the cured files.
+Result RunOrTryFix(bool try_fix, const Progress& progress, Job* job) {
+  std::optional<CuredFiles> cured;
+  Result result = Calibrate(job->spec, job->recording, progress, &cured);
+  if (!try_fix || !cured) return result;
+  job->spec = std::move(cured->spec);
+  job->recording = std::move(cured->recording);
+  Result again = Calibrate(job->spec, job->recording, progress);
+  std::vector<SetupCause> causes = std::move(result.setup.causes);
+  causes.insert(causes.end(), again.setup.causes.begin(), again.setup.causes.end());
+  again.setup.causes = std::move(causes);
+  again.setup.cured = true;
+  return again;
+}
+
+Outcome RunJob(bool try_fix, bool quiet, Job* const job_to_run) {
+  Job& job = *job_to_run;
   ProgressPrinter printer;
   Progress progress;
   if (!quiet) progress = [&printer](const std::string& text) { printer(text); };
   Outcome outcome;
   outcome.problem = job.spec.name;
-  outcome.result = Calibrate(job.spec, job.recording, progress);
+  outcome.result = RunOrTryFix(try_fix, progress, &job);
   if (outcome.result.diagnosis && outcome.result.diagnosis->verdict == DiagnosisVerdict::kFailed) {
     std::cerr << job.spec.name << ": warning: " << outcome.result.diagnosis->summary << ".\n";
   }
-  if (!quiet) std::cout << ToText(ReportOf(job.spec, outcome.result)) << std::flush;
-
   Diagnostics diagnostics;
   if (!WriteResult(job.spec, job.recording, outcome.result, job.directory, &diagnostics)) {
+    if (!quiet) std::cout << ToText(ReportOf(job.spec, outcome.result)) << std::flush;
     std::cerr << diagnostics.ToString();
     outcome.exit_status = kExitBadInput;
     outcome.status = "not written";
     return outcome;
   }
-  if (!quiet) std::cout << "Results are in " << job.directory << "/\n" << std::flush;
+  // Printed when it is safe: who closes the pipe loses nothing.
+  if (!quiet) {
+    std::cout << ToText(ReportOf(job.spec, outcome.result)) << "Results are in " << job.directory
+              << "/\n"
+              << std::flush;
+  }
   const bool usable = outcome.result.best() != nullptr;
   outcome.exit_status = usable ? kExitOk : kExitNoUsableResult;
-  outcome.status = usable ? "ok" : ToString(outcome.result.fits.front().termination);
+  outcome.status = usable ? "ok"
+                   : !outcome.result.setup.plausible
+                       ? "implausible"
+                       : ToString(outcome.result.fits.front().termination);
   // The table needs no rows, and many recordings' rows would not fit in memory together.
   outcome.result.residuals.clear();
   return outcome;
@@ -158,8 +182,8 @@ int RunBatch(const CommandLine& command_line) {
 
   int exit_status = kExitOk;
   std::vector<Outcome> outcomes;
-  for (const Job& job : jobs) {
-    outcomes.push_back(RunJob(job, command_line.quiet));
+  for (Job& job : jobs) {
+    outcomes.push_back(RunJob(command_line.try_fix, command_line.quiet, &job));
     exit_status = std::max(exit_status, outcomes.back().exit_status);
   }
   if (jobs.size() > 1 && !command_line.quiet) {

@@ -1,5 +1,6 @@
 #include "tools/support/command_line.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -8,6 +9,7 @@
 
 #include <gflags/gflags.h>
 
+#include "core/base/text.h"
 #include "core/report/effect_list.h"
 
 DEFINE_string(out, "", "result folder, default <problem name>_result");
@@ -16,6 +18,7 @@ DEFINE_string(method, "", "overrides solver.method of the file");
 DEFINE_string(singular_value_tolerance, "", "overrides solver.singular_value_tolerance");
 DEFINE_string(diagnosis, "", "overrides diagnosis.run of the file");
 DEFINE_bool(quiet, false, "print nothing but errors");
+DEFINE_bool(try_fix, false, "run on with the cure where the files are wrong");
 
 namespace dhcal {
 namespace {
@@ -34,13 +37,17 @@ constexpr char kHelp[] =
   --singular_value_tolerance T
                     noise | paper | a number, instead of the file's
   --diagnosis D     auto | always | never: look for left-out physics, instead of the file's
+  --try_fix         where the files cannot belong together and one cure is certain, run on as if
+                    they had been corrected; the files themselves stay as they are
   --list_effects    print the library of physical effects
   --quiet           print nothing but errors
   --version, --help
 
 Example:  ceres_dhcal --problem problems/cases/kr15.yaml
 
-Exit status: 0 a usable result, 1 no usable result (the report says why), 2 bad input.
+Flags may be written with - or _ between words.
+
+Exit status: 0 a usable result, 1 no usable or plausible result (the report says why), 2 bad input.
 )";
 
 void AddProblems(const std::string& list, std::vector<std::string>* problems) {
@@ -66,6 +73,7 @@ class Argument {
     if (start == std::string::npos) return;
     const std::size_t equals = text.find('=');
     name_ = text.substr(start, equals == std::string::npos ? equals : equals - start);
+    std::replace(name_.begin(), name_.end(), '-', '_');
     if (equals != std::string::npos) value_ = text.substr(equals + 1);
   }
 
@@ -87,19 +95,41 @@ class Argument {
   std::optional<std::string> value_;
 };
 
+/// Switches, on by themselves and off with "no" before them.
+const std::set<std::string>& Switches() {
+  static const std::set<std::string> names = {"quiet", "try_fix"};
+  return names;
+}
+
+/// Flags that take a text.
+const std::set<std::string>& Texts() {
+  static const std::set<std::string> names = {
+      "out", "data_dir", "method", "singular_value_tolerance", "diagnosis"};
+  return names;
+}
+
+std::string UnknownFlag(const std::string& name) {
+  std::vector<std::string> known = {"problem", "help", "version", "list_effects"};
+  known.insert(known.end(), Switches().begin(), Switches().end());
+  known.insert(known.end(), Texts().begin(), Texts().end());
+  const std::string nearest = NearestName(name, known);
+  return "unknown flag '--" + name + "'" +
+         (nearest.empty() ? "" : "; did you mean '--" + nearest + "'?");
+}
+
 /// Sets one of our flags; an error text when that cannot be done.
 std::string SetFlag(Argument* argument) {
-  static const std::set<std::string> kTexts = {
-      "out", "data_dir", "method", "singular_value_tolerance", "diagnosis"};
   const std::string& name = argument->name();
-  if (name == "quiet" || name == "noquiet") {
-    const std::string value = argument->own_value().value_or(name == "quiet" ? "true" : "false");
-    if (gflags::SetCommandLineOption("quiet", value.c_str()).empty()) {
+  const bool negated = name.rfind("no", 0) == 0 && Switches().count(name.substr(2)) > 0;
+  if (negated || Switches().count(name) > 0) {
+    const std::string value = argument->own_value().value_or(negated ? "false" : "true");
+    const std::string flag = negated ? name.substr(2) : name;
+    if (gflags::SetCommandLineOption(flag.c_str(), value.c_str()).empty()) {
       return "'--" + name + "=" + value + "' is not true or false";
     }
     return "";
   }
-  if (kTexts.count(name) == 0) return "unknown flag '--" + name + "'";
+  if (Texts().count(name) == 0) return UnknownFlag(name);
   const std::optional<std::string> value = argument->Value();
   if (!value || value->empty()) return "flag '--" + name + "' needs a value";
   gflags::SetCommandLineOption(name.c_str(), value->c_str());
@@ -146,6 +176,7 @@ CommandLineStatus ParseCommandLine(int argc, char** argv, CommandLine* command_l
   command_line->method = FLAGS_method;
   command_line->singular_value_tolerance = FLAGS_singular_value_tolerance;
   command_line->quiet = FLAGS_quiet;
+  command_line->try_fix = FLAGS_try_fix;
   return CommandLineStatus::kRun;
 }
 

@@ -16,6 +16,7 @@ struct CommandLine {
   std::string method;  // overrides the file when not empty
   std::string singular_value_tolerance;
   bool quiet = false;
+  bool try_fix = false;  // run on with the cure where the files are wrong
 };
 
 enum class CommandLineStatus {

@@ -71,6 +71,7 @@ JointRow ReadJoint(const YamlValue& value, int joint_idx, const DhUnits& units) 
   constexpr double kUnusualLength = 100;     // [m]
   JointRow row;
   row.name = "J" + std::to_string(joint_idx + 1);
+  row.where = value.where();
   YamlMap map(value);
   map.Read("name", &row.name);
   map.ReadChoice<JointType>(
@@ -148,6 +149,7 @@ void ReadLinks(YamlMap* map, RobotModel* robot) {
 
 void ReadRobot(const YamlValue& value, RobotModel* robot) {
   YamlMap map(value);
+  robot->where = value.key_where();
   map.Read("name", &robot->name);
   map.ReadChoice<DhConvention>(
       "convention",

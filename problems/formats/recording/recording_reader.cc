@@ -37,6 +37,8 @@ class RecordingFiller {
   Eigen::VectorXd Number(RecordingField field, const NumberRule& rule = kAnyNumber);
   /// Coordinates of which a row has all or none.
   Eigen::MatrixXd Coordinates(RecordingField field);
+  /// The field's columns as the file names them.
+  std::vector<std::string> Names(RecordingField field) const;
   Eigen::MatrixXd Joints();
   Eigen::MatrixXd UnitQuaternions();
   std::vector<int> Labels(RecordingField field, bool may_be_blank, std::vector<std::string>* names);
@@ -72,6 +74,15 @@ Eigen::VectorXd RecordingFiller::Number(RecordingField field, const NumberRule& 
 Eigen::MatrixXd RecordingFiller::Coordinates(RecordingField field) {
   if (layout_.Has(field)) cells_.CheckAllOrNone(layout_.fields.at(field).column);
   return Numbers(field);
+}
+
+std::vector<std::string> RecordingFiller::Names(RecordingField field) const {
+  std::vector<std::string> names;
+  if (!layout_.Has(field)) return names;
+  for (const int column : layout_.fields.at(field).column) {
+    if (column >= 0) names.emplace_back(table_.name(column));
+  }
+  return names;
 }
 
 Eigen::MatrixXd RecordingFiller::Joints() {
@@ -164,6 +175,9 @@ std::vector<ExtraColumn> RecordingFiller::Extra() {
 Recording RecordingFiller::Fill() {
   Recording recording;
   for (int row = 0; row < table_.num_rows(); ++row) recording.lines.push_back(table_.line(row));
+  recording.header_line = table_.NameWhere(0).line;
+  recording.q_names = Names(RecordingField::kJoint);
+  recording.p_names = Names(RecordingField::kPosition);
   recording.q = Joints();
   recording.p_WQ = Coordinates(RecordingField::kPosition);
   recording.displacement = Coordinates(RecordingField::kDisplacement);

@@ -146,7 +146,9 @@ std::vector<NamedContent> Compose(const ProblemSpec& spec,
     files.push_back({format.file, format.render(report)});
   }
   const bool keep_recording = LiesIn(spec.recording, folder);
-  if (result.simulated) {
+  // A cured recording differs from the user's, and is what calibrated.yaml is of.
+  const bool own_recording = result.simulated || result.setup.cured;
+  if (own_recording) {
     files.push_back({kRecordingCsv, RecordingToCsv(recording, spec.robot)});
   } else if (keep_recording) {
     files.push_back({kRecordingCsv, ReadBytes(spec.recording)});
@@ -156,7 +158,7 @@ std::vector<NamedContent> Compose(const ProblemSpec& spec,
   }
   // Without a usable fit there is no calibrated robot to run again.
   if (result.best() != nullptr) {
-    const std::string path = RecordingPath(spec, result.simulated || keep_recording, folder);
+    const std::string path = RecordingPath(spec, own_recording || keep_recording, folder);
     AddCalibrated(spec, recording, result, path, &files);
   }
   return files;

@@ -197,10 +197,35 @@ Json SetAsideToJson(const std::vector<RowSetAside>& rows) {
   return array;
 }
 
+Json CausesToJson(const std::vector<SetupCause>& causes) {
+  Json array = Json::array();
+  for (const SetupCause& cause : causes) {
+    Json entry = {{"kind", cause.kind},
+                  {"joints", cause.joints},
+                  {"alternative", cause.alternative},
+                  {"sentence", cause.sentence},
+                  {"fix", {{"file", cause.where.file}, {"text", cause.text}}}};
+    if (cause.where.line > 0) entry["fix"]["line"] = cause.where.line;
+    Set("rms_before_m", cause.rms_before, &entry);
+    Set("rms_after_m", cause.rms_after, &entry);
+    array.push_back(std::move(entry));
+  }
+  return array;
+}
+
+Json SetupToJson(const SetupResult& setup) {
+  return {{"plausible", setup.plausible},
+          {"reasons", setup.reasons},
+          {"causes", CausesToJson(setup.causes)},
+          {"cured", setup.cured},
+          {"remarks", setup.remarks}};
+}
+
 }  // namespace
 
 std::string ResultToJson(const Result& result) {
   Json root = HeadToJson(result);
+  root["setup"] = SetupToJson(result.setup);
   root["fits"] = Json::array();
   for (const FitResult& fit : result.fits) root["fits"].push_back(FitToJson(fit));
   if (!result.comparison.empty()) root["comparison"] = ComparisonToJson(result.comparison);

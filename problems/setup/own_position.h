@@ -1,0 +1,16 @@
+// Readings that are the controller's own positions: computed from the table, not measured.
+#ifndef DHCAL_PROBLEMS_SETUP_OWN_POSITION_H_
+#define DHCAL_PROBLEMS_SETUP_OWN_POSITION_H_
+
+#include <optional>
+
+#include "problems/setup/cause.h"
+
+namespace dhcal {
+
+/// A cause where the nominal robot meets every reading to its last digit, as no real robot does.
+std::optional<SetupCause> OwnPosition(const Files& files);
+
+}  // namespace dhcal
+
+#endif  // DHCAL_PROBLEMS_SETUP_OWN_POSITION_H_

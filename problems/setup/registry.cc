@@ -1,0 +1,28 @@
+#include "problems/setup/cause.h"
+
+namespace dhcal {
+
+const std::vector<const CauseKind*>& CauseKinds() {
+  // Cures are made in this order: units of the table before its zeros, the order of columns before
+  // what is said of joints.
+  static const std::vector<const CauseKind*> kinds = {&Convention(),
+                                                      &TableUnit(),
+                                                      &JointOrder(),
+                                                      &JointUnit(),
+                                                      &JointSense(),
+                                                      &ZeroOffset(),
+                                                      &TurnsWithAnother(),
+                                                      &ReadingUnit(),
+                                                      &MirroredFrame(),
+                                                      &RowShift(),
+                                                      &FramePerRun()};
+  return kinds;
+}
+
+int CountCauses(const SetUp& set_up) {
+  int count = 0;
+  for (const CauseKind* kind : CauseKinds()) count += kind->Count(set_up);
+  return count;
+}
+
+}  // namespace dhcal

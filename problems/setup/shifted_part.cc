@@ -1,0 +1,82 @@
+#include "problems/setup/shifted_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "problems/setup/frames_alone.h"
+
+namespace dhcal {
+namespace {
+
+constexpr int kMostShifted = 2;  // rows
+constexpr double kCap = 0.05;    // of the reach: what one row may count for
+constexpr double kFits = 0.012;  // of the reach, as the doctor has it
+
+CuredFiles Cured(const Files& files, const SetUp& set_up) {
+  CuredFiles cured{files.spec, files.recording};
+  for (const CauseKind* kind : CauseKinds()) kind->Cure(set_up, &cured);
+  return cured;
+}
+
+/// Points of all rows of the recording, base and tool from the rows of the piece alone.
+Eigen::Matrix3Xd PointsFrom(const Files& files,
+                            const SetUp& set_up,
+                            const std::vector<Reading>& piece) {
+  CuredFiles cured = Cured(files, set_up);
+  const int n = files.recording.num_rows();
+  cured.recording.set_aside.assign(static_cast<std::size_t>(n), true);
+  for (const Reading& reading : piece) {
+    const int row = std::clamp(reading.row_idx + set_up.shift, 0, n - 1);
+    cured.recording.set_aside[static_cast<std::size_t>(row)] = false;
+  }
+  return FitFrames(cured.spec, cured.recording).points;
+}
+
+}  // namespace
+
+std::optional<SetUp> ShiftedPart(const Files& files,
+                                 const Candidate& candidate,
+                                 const std::vector<Reading>& piece) {
+  if (files.recording.p_WQ.rows() == 0 || files.spec.measurement.kind.pairs) return std::nullopt;
+  const Eigen::Matrix3Xd points = PointsFrom(files, candidate.set_up, piece);
+  if (points.cols() == 0) return std::nullopt;
+  SetUp unshifted = candidate.set_up;
+  unshifted.shift = 0;
+  const Recording read = Cured(files, unshifted).recording;
+  const int run = read.run(piece.front().row_idx);
+  const double cap = kCap * ReachOf(files.robot());
+  // [m] how far the reading of a row lies from the point of the row so many later.
+  const auto off = [&](int row, int shift) {
+    const int of = row + shift;
+    if (!read.p_WQ.row(row).allFinite()) return 0.0;
+    if (of < 0 || of >= read.num_rows() || read.run(of) != run) return 0.0;
+    return std::min((read.p_WQ.row(row).transpose() - points.col(of)).norm(), cap);
+  };
+  std::vector<int> rows;
+  for (int row = 0; row < read.num_rows(); ++row) {
+    if (read.run(row) == run) rows.push_back(row);
+  }
+  double least = std::numeric_limits<double>::infinity();
+  SetUp best = unshifted;
+  for (int shift = -kMostShifted; shift <= kMostShifted; ++shift) {
+    if (shift == 0) continue;
+    double sum = 0;
+    for (const int row : rows) sum += off(row, shift);
+    // The first rows as they are, one more at a time.
+    for (const int row : rows) {
+      if (sum < least) {
+        least = sum;
+        best.shift = shift;
+        best.shift_from = row;
+      }
+      sum += off(row, 0) - off(row, shift);
+    }
+  }
+  if (!(least <= kFits * ReachOf(files.robot()) * static_cast<double>(rows.size()))) {
+    return std::nullopt;
+  }
+  return best;
+}
+
+}  // namespace dhcal
