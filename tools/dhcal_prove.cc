@@ -2,6 +2,7 @@
 //
 //   dhcal_prove --out DIR [--quick] [--seeds N] [--only D4,D5] [--jobs N]
 //   dhcal_prove --out DIR --random N [--first SEED] [--only D4,D5] [--jobs N]
+//   dhcal_prove --out DIR --setups N [--first SEED] [--jobs N]
 //
 // Makes recordings of arms with left-out physics (tools/proof/simulator, which shares nothing with
 // the identification), runs ceres_dhcal on each as a user would, opens the sealed answers and
@@ -15,6 +16,7 @@
 #include <unistd.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gflags/gflags.h>
 
 #include "core/base/parallel.h"
@@ -23,6 +25,7 @@
 #include "tools/proof/random_suite.h"
 #include "tools/proof/random_table.h"
 #include "tools/proof/run_program.h"
+#include "tools/proof/setup_suite.h"
 #include "tools/proof/simulator/scenarios.h"
 #include "tools/proof/suite.h"
 #include "tools/proof/table.h"
@@ -35,7 +38,11 @@ DEFINE_int32(random,
              0,
              "random trials, of robots, files, readings and causes drawn by seed; alone, unless "
              "--only or --quick name scenarios, too");
-DEFINE_int32(first, 1, "seed of the first random trial");
+DEFINE_int32(setups,
+             0,
+             "recordings whose files say something that is not so, beside random trials whose "
+             "files are right; alone, as --random");
+DEFINE_int32(first, 1, "seed of the first random trial or set-up");
 DEFINE_int32(jobs, 0, "cases at a time, default: one per processor");
 DEFINE_bool(quick, false, "one trial of the most telling scenarios");
 DEFINE_bool(list, false, "print the scenarios");
@@ -91,9 +98,26 @@ void PrintRandom(const std::vector<RandomScore>& scores) {
   }
 }
 
+void PrintSetups(const std::vector<SetupScore>& scores) {
+  for (const SetupScore& s : scores) {
+    std::cout << fmt::format("{:<9} {:<8} {:<9} {}{}{}{}  {} -> {} ({})\n",
+                             s.name,
+                             s.robot,
+                             s.kind,
+                             s.failure,
+                             s.accused ? " ACCUSED" : "",
+                             s.claimed_wrong ? " WRONG" : "",
+                             !s.mistakes.empty() && !s.right ? " NOT RIGHT" : "",
+                             fmt::join(s.mistakes, ", "),
+                             fmt::join(s.claimed, ", "),
+                             s.alternatives);
+  }
+}
+
 void WriteJson(const std::filesystem::path& file,
                const std::vector<ProofScore>& scores,
                const std::vector<RandomScore>& random,
+               const std::vector<SetupScore>& setups,
                double seconds) {
   nlohmann::ordered_json proof = {{"program_version", DHCAL_VERSION},
                                   {"seconds", seconds},
@@ -104,6 +128,7 @@ void WriteJson(const std::filesystem::path& file,
     proof["random_rates"] = RandomRatesToJson(RandomRates(random));
     for (const RandomScore& score : random) proof["random"].push_back(RandomScoreToJson(score));
   }
+  for (const SetupScore& score : setups) proof["setups"].push_back(SetupScoreToJson(score));
   WriteWhole(file, proof.dump(1) + "\n");
 }
 
@@ -116,6 +141,7 @@ int Run() {
   options.seeds = FLAGS_seeds;
   options.quick = FLAGS_quick;
   options.random = FLAGS_random;
+  options.setups = FLAGS_setups;
   options.first = FLAGS_first;
   options.jobs = FLAGS_jobs > 0 ? FLAGS_jobs : NumProcessors();
   if (!std::filesystem::exists(options.program)) {
@@ -139,19 +165,22 @@ int Run() {
   };
   const std::vector<ProofScore> scores = RunProof(options, say);
   const std::vector<RandomScore> random = RunRandomProof(options, say);
+  const std::vector<SetupScore> setups = RunSetupProof(options, say);
   if (terminal) std::cerr << "\n";
   if (FLAGS_verbose) PrintCases(scores);
   if (FLAGS_verbose) PrintRandom(random);
+  if (FLAGS_verbose) PrintSetups(setups);
   if (!scores.empty()) std::cout << ProofTable(scores);
-  std::cout << RandomTable(random)
+  std::cout << RandomTable(random) << SetupTable(setups)
             << fmt::format("{} cases in {:.0f} s; all outcomes: {}\n",
-                           scores.size() + random.size(),
+                           scores.size() + random.size() + setups.size(),
                            seconds(),
                            (options.folder / "proof.json").string());
-  WriteJson(options.folder / "proof.json", scores, random, seconds());
+  WriteJson(options.folder / "proof.json", scores, random, setups, seconds());
   const auto failed = [](const auto& score) { return !score.failure.empty(); };
   return std::any_of(scores.begin(), scores.end(), failed) ||
-                 std::any_of(random.begin(), random.end(), failed)
+                 std::any_of(random.begin(), random.end(), failed) ||
+                 std::any_of(setups.begin(), setups.end(), failed)
              ? 1
              : 0;
 }
@@ -164,7 +193,8 @@ int main(int argc, char** argv) {
     gflags::SetUsageMessage(
         "proves the diagnosis on recordings whose answer it is not told\n\n"
         "  dhcal_prove --out DIR [--quick] [--seeds N] [--only D4,D5] [--jobs N] [--verbose]\n"
-        "  dhcal_prove --out DIR --random N [--first SEED] [--only D4,D5] [--jobs N] [--verbose]");
+        "  dhcal_prove --out DIR --random N [--first SEED] [--only D4,D5] [--jobs N] [--verbose]\n"
+        "  dhcal_prove --out DIR --setups N [--first SEED] [--jobs N] [--verbose]");
     gflags::ParseCommandLineFlags(&argc, &argv, true);
     if (argc > 1) {
       std::cerr << "dhcal_prove: unknown argument " << argv[1] << "; see --help\n";

@@ -65,6 +65,9 @@ const std::vector<const CauseKind*>& CauseKinds();
 /// Things that a set-up changes, over all kinds.
 int CountCauses(const SetUp& set_up);
 
+/// Copies of the files that say what the set-up takes them for.
+CuredFiles Cured(const Files& files, const SetUp& set_up);
+
 // The kinds. Each is defined in its own file.
 const CauseKind& Convention();
 const CauseKind& JointOrder();
@@ -73,6 +76,7 @@ const CauseKind& ZeroOffset();
 const CauseKind& TurnsWithAnother();
 const CauseKind& JointUnit();
 const CauseKind& TableUnit();
+const CauseKind& TableLength();
 const CauseKind& ReadingUnit();
 const CauseKind& MirroredFrame();
 const CauseKind& RowShift();

@@ -19,19 +19,13 @@
 namespace dhcal {
 namespace {
 
-constexpr double kFits = 0.012;    // of the reach: what a right table leaves at most
-constexpr double kFarBetter = 4;   // times: what a cure must gain
-constexpr double kPerCause = 1.6;  // times the misfit: what a cause more must gain
-constexpr double kNotTold = 1.5;   // times the best: what cannot be told from it
+constexpr double kFarBetter = 4;      // times: what a cure must gain
+constexpr double kFramesMoved = 2.5;  // ... and frames that are allowed to move between runs
+constexpr double kPerCause = 1.6;     // times the misfit: what a cause more must gain
+constexpr double kNotTold = 1.5;      // times the best: what cannot be told from it
 constexpr std::size_t kMostVerified = 6;
 constexpr std::size_t kMostListed = 4;
 constexpr std::size_t kEnough = 20;  // readings of a part that can be judged by itself
-
-CuredFiles Cured(const Files& files, const SetUp& set_up) {
-  CuredFiles cured{files.spec, files.recording};
-  for (const CauseKind* kind : CauseKinds()) kind->Cure(set_up, &cured);
-  return cured;
-}
 
 /// Readings of the run and target that most are of, without those that are exactly zero.
 std::vector<Reading> LargestPart(const Calibration& c) {
@@ -54,8 +48,16 @@ struct Verified {
   SetUp set_up;
   double rms = 0;
   int causes = 0;
+  double reach = 1;  // [m] of the cured robot
   double Rank() const { return rms * std::pow(kPerCause, causes); }
 };
+
+Verified VerifyCured(const SetUp& set_up, const CuredFiles& cured) {
+  return {set_up,
+          FitFrames(cured.spec, cured.recording).rms,
+          CountCauses(set_up),
+          ReachOf(cured.spec.robot)};
+}
 
 /// With the tool that the search found, so that a tool in a wrong unit does no harm.
 Verified Verify(const Files& files, const Candidate& candidate) {
@@ -63,7 +65,7 @@ Verified Verify(const Files& files, const Candidate& candidate) {
   if (cured.spec.robot.targets.empty() && files.spec.measurement.kind.is_point()) {
     cured.spec.robot.X_TQ.translation() = candidate.misfit.p_TQ;
   }
-  return {candidate.set_up, FitFrames(cured.spec, cured.recording).rms, candidate.causes};
+  return VerifyCured(candidate.set_up, cured);
 }
 
 std::string InMillimetres(double rms) {
@@ -99,16 +101,20 @@ void Describe(const Files& files,
   }
 }
 
-/// What can be claimed of verified set-ups.
-Findings Conclude(const Files& files, std::vector<Verified> verified, double rms_before) {
+/// What can be claimed of verified set-ups that gain so many times.
+Findings Conclude(const Files& files,
+                  std::vector<Verified> verified,
+                  double rms_before,
+                  double gain,
+                  int most_causes) {
   Findings findings;
   std::sort(verified.begin(), verified.end(), [](const Verified& a, const Verified& b) {
     return a.Rank() < b.Rank();
   });
   if (verified.empty()) return findings;
   const Verified& best = verified.front();
-  if (best.causes == 0 || !(best.rms <= kFits * ReachOf(files.robot())) ||
-      !(kFarBetter * best.rms <= rms_before)) {
+  if (best.causes == 0 || best.causes > most_causes || !(best.rms <= kNominalFits * best.reach) ||
+      !(gain * best.rms <= rms_before)) {
     return findings;
   }
   std::vector<Verified> alternatives;
@@ -140,16 +146,14 @@ void TryMovedFrames(const Files& files, std::vector<Verified>* verified) {
     std::vector<SetUp> moved;
     FramePerRun().Neighbours(files, one.set_up, &moved);
     for (const SetUp& set_up : moved) {
-      const CuredFiles cured = Cured(files, set_up);
-      verified->push_back(
-          {set_up, FitFrames(cured.spec, cured.recording).rms, CountCauses(set_up)});
+      verified->push_back(VerifyCured(set_up, Cured(files, set_up)));
     }
   }
 }
 
-bool Solved(const Files& files, const std::vector<Verified>& verified) {
+bool Solved(const std::vector<Verified>& verified) {
   return std::any_of(verified.begin(), verified.end(), [&](const Verified& one) {
-    return one.rms <= kFits * ReachOf(files.robot());
+    return one.rms <= kNominalFits * one.reach;
   });
 }
 
@@ -193,15 +197,15 @@ SetupCause DescribeForm(const Files& files, const OrientationForms& forms) {
 
 }  // namespace
 
-Findings FindCauses(const Files& files, double rms_before) {
+Findings FindCauses(const Files& files, double rms_before, int most_causes) {
   const ProblemSpec frames_only = FramesOnly(files.spec, files.recording);
   const Calibration calibration(frames_only, files.recording);
   const std::vector<Reading> part = LargestPart(calibration);
   const SetUpSearch search(files, calibration, part);
   if (!search.possible()) return {};
   std::vector<Verified> verified = VerifyAll(files, search.Run());
-  if (!Solved(files, verified)) TryMovedFrames(files, &verified);
-  if (!Solved(files, verified) && part.size() >= 2 * kEnough) {
+  if (!Solved(verified)) TryMovedFrames(files, &verified);
+  if (!Solved(verified) && part.size() >= 2 * kEnough) {
     // Something may happen in the middle: the beginning, and the end, by themselves.
     const auto third = static_cast<std::ptrdiff_t>(std::max(kEnough, part.size() / 3));
     for (const auto& piece : {std::vector<Reading>(part.begin(), part.begin() + third),
@@ -209,23 +213,23 @@ Findings FindCauses(const Files& files, double rms_before) {
       const SetUpSearch of_piece(files, calibration, piece);
       if (!of_piece.possible()) continue;
       for (const Candidate& candidate : of_piece.Run()) {
-        if (candidate.misfit.rms > kFits * ReachOf(files.robot())) continue;
+        const double reach = ReachOf(Cured(files, candidate.set_up).spec.robot);
+        if (candidate.misfit.rms > kNominalFits * reach) continue;
         const std::optional<SetUp> shifted = ShiftedPart(files, candidate, piece);
         if (!shifted) continue;
-        const CuredFiles cured = Cured(files, *shifted);
-        verified.push_back(
-            {*shifted, FitFrames(cured.spec, cured.recording).rms, CountCauses(*shifted)});
+        verified.push_back(VerifyCured(*shifted, Cured(files, *shifted)));
       }
-      if (Solved(files, verified)) break;
+      if (Solved(verified)) break;
     }
   }
-  return Conclude(files, std::move(verified), rms_before);
+  return Conclude(files, std::move(verified), rms_before, kFarBetter, most_causes);
 }
 
 Findings FindMovedFrames(const Files& files, double rms_before) {
-  std::vector<Verified> verified = {{AsWritten(files.num_joints()), rms_before, 0}};
+  std::vector<Verified> verified = {
+      {AsWritten(files.num_joints()), rms_before, 0, ReachOf(files.robot())}};
   TryMovedFrames(files, &verified);
-  return Conclude(files, std::move(verified), rms_before);
+  return Conclude(files, std::move(verified), rms_before, kFramesMoved, 2);
 }
 
 OrientationFindings FindOrientationForm(const Files& files) {

@@ -16,8 +16,9 @@ struct Findings {
 
 /// Tries every cause of the registry, alone and together, under which the nominal robot with base
 /// and tool fitted meets the readings far better than as written. `rms_before` [m]: as written
-/// (infinite where that could not be fitted). Seconds at most, whatever the number of rows.
-Findings FindCauses(const Files& files, double rms_before);
+/// (infinite where that could not be fitted). `most_causes`: alternatives with more are not
+/// claimed. Seconds at most, whatever the number of rows.
+Findings FindCauses(const Files& files, double rms_before, int most_causes);
 
 /// Whether the frames of the runs differ: one more thing to try where all else is right.
 Findings FindMovedFrames(const Files& files, double rms_before);

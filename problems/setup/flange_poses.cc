@@ -90,6 +90,7 @@ void FlangeOfRows::Evaluate(const SetUp& set_up, FlangePoses* poses) const {
   auto& [x, y, z] = poses->R;
   Axis& p = poses->p;
   const bool standard = (robot_.convention == DhConvention::kStandard) != set_up.other_convention;
+  const double scale = set_up.table_scale;
   for (int j = 0; j < robot_.num_joints(); ++j) {
     const auto idx = static_cast<std::size_t>(j);
     const JointRow& row = robot_.joints[idx];
@@ -100,7 +101,7 @@ void FlangeOfRows::Evaluate(const SetUp& set_up, FlangePoses* poses) const {
       if (row.beta != 0) TurnAxes(std::cos(row.beta), std::sin(row.beta), &z, &x);
     };
     if (!standard) {
-      Shift(row.a, x, &p);
+      Shift(scale * row.a, x, &p);
       twist();
     }
     const Turn turn = AngleOf(set_up, j);
@@ -111,10 +112,10 @@ void FlangeOfRows::Evaluate(const SetUp& set_up, FlangePoses* poses) const {
           row.d + row.sign * joint.sense * coordinates_[static_cast<std::size_t>(joint.column)];
       Shift(d, z, &p);
     } else {
-      Shift(row.d, z, &p);
+      Shift(scale * row.d, z, &p);
     }
     if (standard) {
-      Shift(row.a, x, &p);
+      Shift(scale * row.a, x, &p);
       twist();
     }
   }

@@ -13,6 +13,9 @@
 
 namespace dhcal {
 
+/// Of the reach: what the nominal robot of right files leaves at most, base and tool fitted.
+constexpr double kNominalFits = 0.012;
+
 /// The problem with base and tool free, no loss, no priors and only the effects that are held.
 /// Where positions were measured the kind is that of positions, whatever the problem makes of them.
 ProblemSpec FramesOnly(const ProblemSpec& spec, const Recording& recording);

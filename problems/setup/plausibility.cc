@@ -20,20 +20,30 @@
 namespace dhcal {
 namespace {
 
-// Of the reach: what the nominal robot of the right files misses by at most, strong sag included,
-// with base and tool fitted ...
+// Of the reach, with base and tool fitted: what the nominal robot of the right files misses by at
+// most, strong sag included, ...
 constexpr double kMisses = 0.01;
+// ... what no fit makes good, whatever it corrects, ...
+constexpr double kHopeless = 0.04;
 // ... and what is worth a question to the doctor, whose answer then decides.
 constexpr double kWorthAsking = 0.0015;
 // Of the readings' spread: a small volume shows a wrong table by less.
 constexpr double kOfSpread = 0.1;
 constexpr double kFewDirections = 0.25;  // of the columns: a fit that determines less is none
+constexpr int kAnyNumber = 100;          // of causes
 constexpr double kFollows = 0.05;        // [rad] orientations that are the robot's
 
 std::string InMillimetres(double rms) {
-  if (!std::isfinite(rms)) return "by any length";
   const double mm = rms / kMillimetre;
-  return "by " + (mm < 100 ? fmt::format("{:.1f} mm", mm) : fmt::format("{:.0f} mm", mm));
+  return mm < 100 ? fmt::format("{:.1f} mm", mm) : fmt::format("{:.0f} mm", mm);
+}
+
+std::string MissesWords(double misfit) {
+  return fmt::format(
+      "The nominal robot, with base and tool fitted, {}: as the files stand, what was recorded is "
+      "not the robot of the problem file.",
+      std::isfinite(misfit) ? "misses the readings by " + InMillimetres(misfit) + " RMS"
+                            : "cannot be brought to the readings at all");
 }
 
 /// RMS distance of the measured points from their mean [m]; 0 where none are measured.
@@ -99,7 +109,10 @@ void Take(Findings findings, SetupJudgement* judgement) {
 }
 
 /// Positions and distances: whether the nominal robot can have been recorded.
-void JudgeRobot(const Files& files, double misfit, SetupJudgement* judgement) {
+void JudgeRobot(const Files& files,
+                double misfit,
+                const Result& identified,
+                SetupJudgement* judgement) {
   SetupResult& setup = judgement->setup;
   const bool far_off = FarOff(misfit, files);
   if (!far_off && misfit <= kWorthAsking * ReachOf(files.robot())) return;
@@ -112,12 +125,10 @@ void JudgeRobot(const Files& files, double misfit, SetupJudgement* judgement) {
       return;
     }
   }
-  Take(FindCauses(files, misfit), judgement);
-  if (!far_off && setup.causes.empty()) return;
-  setup.reasons.push_back(fmt::format(
-      "The nominal robot, with base and tool fitted, misses the readings {} RMS: what was recorded "
-      "is not the robot of the problem file as the files stand.",
-      InMillimetres(misfit)));
+  Take(FindCauses(files, misfit, far_off ? kAnyNumber : 1), judgement);
+  const bool stands = misfit <= kHopeless * ReachOf(files.robot()) && identified.best() != nullptr;
+  if (setup.causes.empty() && (!far_off || stands)) return;
+  setup.reasons.push_back(MissesWords(misfit));
   if (!setup.causes.empty()) return;
   setup.reasons.push_back(
       "None of the usual causes alone or together makes it fit (sense, order, zeros and units of "
@@ -150,7 +161,7 @@ void JudgeFixedFrames(const Files& files,
   cause.kind = "frame_not_estimated";
   cause.sentence = fmt::format(
       "Base and tool are held at the file's values: with both of them fitted the nominal robot "
-      "misses the readings {} RMS.",
+      "misses the readings by {} RMS.",
       InMillimetres(misfit));
   cause.where = files.spec.parameters.where;
   cause.text = "estimate: complete";
@@ -166,11 +177,11 @@ SetupJudgement JudgeSetup(const ProblemSpec& spec,
   SetupJudgement judgement;
   const Files files{spec, recording};
   const double misfit = FitFrames(spec, recording).rms;
-  JudgeRobot(files, misfit, &judgement);
+  JudgeRobot(files, misfit, identified, &judgement);
   if (judgement.setup.reasons.empty()) JudgeOrientation(files, &judgement);
   if (judgement.setup.reasons.empty() && !identified.simulated) {
     if (std::optional<SetupCause> own = OwnPosition(files)) {
-      judgement.setup.reasons.push_back(own->sentence);
+      judgement.setup.reasons.emplace_back("Nothing was measured.");
       judgement.setup.causes = {std::move(*own)};
     }
   }

@@ -7,6 +7,7 @@ const std::vector<const CauseKind*>& CauseKinds() {
   // what is said of joints.
   static const std::vector<const CauseKind*> kinds = {&Convention(),
                                                       &TableUnit(),
+                                                      &TableLength(),
                                                       &JointOrder(),
                                                       &JointUnit(),
                                                       &JointSense(),
@@ -23,6 +24,12 @@ int CountCauses(const SetUp& set_up) {
   int count = 0;
   for (const CauseKind* kind : CauseKinds()) count += kind->Count(set_up);
   return count;
+}
+
+CuredFiles Cured(const Files& files, const SetUp& set_up) {
+  CuredFiles cured{files.spec, files.recording};
+  for (const CauseKind* kind : CauseKinds()) kind->Cure(set_up, &cured);
+  return cured;
 }
 
 }  // namespace dhcal

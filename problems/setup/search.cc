@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "problems/setup/length_units.h"
 
 namespace dhcal {
 namespace {
 
-constexpr int kMostShift = 2;       // rows, RowShift's
 constexpr std::size_t kWidth = 40;  // set-ups from which steps are made
 constexpr int kMostRounds = 6;
 constexpr double kProgress = 0.98;         // of the misfit, in a round that is worth another
@@ -25,7 +25,7 @@ std::vector<Reading> Few(const Recording& recording, const std::vector<Reading>&
   std::vector<Reading> usable;
   for (const Reading& reading : readings) {
     const int first = reading.previous_idx >= 0 ? reading.previous_idx : reading.row_idx;
-    const int from = first - kMostShift, to = reading.row_idx + kMostShift;
+    const int from = first - kMostRowShift, to = reading.row_idx + kMostRowShift;
     if (from < 0 || to >= recording.num_rows()) continue;
     if (recording.run(from) != recording.run(to)) continue;
     usable.push_back(reading);
@@ -48,7 +48,7 @@ SetUpSearch::SetUpSearch(const Files& files,
                          const Calibration& calibration,
                          const std::vector<Reading>& readings)
     : files_(files), readings_(Few(files.recording, readings)), fit_(calibration, readings_) {
-  for (int shift = -kMostShift; shift <= kMostShift; ++shift) {
+  for (int shift = -kMostRowShift; shift <= kMostRowShift; ++shift) {
     std::vector<int> rows, rows_before;
     for (const Reading& reading : readings_) {
       rows.push_back(reading.row_idx + shift);
@@ -63,13 +63,20 @@ SetUpSearch::SetUpSearch(const Files& files,
 }
 
 Candidate SetUpSearch::Judge(SetUp set_up) const {
-  const auto shift = static_cast<std::size_t>(set_up.shift + kMostShift);
+  const auto shift = static_cast<std::size_t>(set_up.shift + kMostRowShift);
   FlangePoses now, before;
   now_[shift].Evaluate(set_up, &now);
   if (!before_.empty()) before_[shift].Evaluate(set_up, &before);
   Candidate candidate;
   candidate.misfit = fit_.Fit(now, before);
-  set_up.reading_scale = candidate.misfit.scale;
+  // Of the search's own steps in between, the table's unit counts as found.
+  const double ratio = candidate.misfit.scale / set_up.table_scale;
+  if (candidate.misfit.scale != 1 && TableIsWrong(files_.robot(), ratio)) {
+    set_up.table_scale /= candidate.misfit.scale;
+    candidate.misfit.p_TQ /= candidate.misfit.scale;
+  } else {
+    set_up.reading_scale = candidate.misfit.scale;
+  }
   set_up.mirrored = candidate.misfit.mirrored;
   candidate.causes = CountCauses(set_up);
   candidate.set_up = std::move(set_up);
@@ -161,6 +168,7 @@ std::vector<Candidate> SetUpSearch::Run() const {
       // What the fit finds is no step.
       SetUp from = beam[k].set_up;
       from.reading_scale = 1;
+      from.table_scale = 1;
       from.mirrored = false;
       for (SetUp& step : Steps(from)) next.push_back(std::move(step));
     }

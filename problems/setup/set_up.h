@@ -11,6 +11,9 @@ namespace dhcal {
 /// A quantity that the files give in degrees or radians.
 enum class AngleUnit { kAsWritten, kHoldsRadians, kHoldsDegrees };
 
+/// Rows by which readings and joint coordinates may stand apart.
+constexpr int kMostRowShift = 2;
+
 struct SetUp {
   struct Joint {
     int column = 0;    // of the recording's joint coordinates, from 0
@@ -37,26 +40,27 @@ struct SetUp {
   int shift_from = 0;
   bool base_per_run = false;
   bool tool_per_run = false;
-  // What the instrument's numbers show when base and tool are fitted.
-  double reading_scale = 1;  // readings times this are what the robot's lengths are in
+  // What shows when base and tool are fitted.
+  double table_scale = 1;    // the table's lengths times this are metres
+  double reading_scale = 1;  // the readings' lengths times this are metres
   bool mirrored = false;
+
+  /// All of it, to be compared.
+  auto Key() const {
+    return std::tie(joints,
+                    other_convention,
+                    table_unit,
+                    shift,
+                    shift_from,
+                    base_per_run,
+                    tool_per_run,
+                    table_scale,
+                    reading_scale,
+                    mirrored);
+  }
 
   friend bool operator<(const SetUp& a, const SetUp& b) { return a.Key() < b.Key(); }
   friend bool operator==(const SetUp& a, const SetUp& b) { return a.Key() == b.Key(); }
-
- private:
-  std::tuple<const std::vector<Joint>&, bool, AngleUnit, int, int, bool, bool, double, bool> Key()
-      const {
-    return {joints,
-            other_convention,
-            table_unit,
-            shift,
-            shift_from,
-            base_per_run,
-            tool_per_run,
-            reading_scale,
-            mirrored};
-  }
 };
 
 /// The files as they stand.

@@ -9,15 +9,8 @@
 namespace dhcal {
 namespace {
 
-constexpr int kMostShifted = 2;  // rows
-constexpr double kCap = 0.05;    // of the reach: what one row may count for
-constexpr double kFits = 0.012;  // of the reach, as the doctor has it
-
-CuredFiles Cured(const Files& files, const SetUp& set_up) {
-  CuredFiles cured{files.spec, files.recording};
-  for (const CauseKind* kind : CauseKinds()) kind->Cure(set_up, &cured);
-  return cured;
-}
+constexpr std::size_t kFewestShifted = 3;  // rows on either side of a shift
+constexpr double kCap = 0.05;              // of the reach: what one row may count for
 
 /// Points of all rows of the recording, base and tool from the rows of the piece alone.
 Eigen::Matrix3Xd PointsFrom(const Files& files,
@@ -45,7 +38,8 @@ std::optional<SetUp> ShiftedPart(const Files& files,
   unshifted.shift = 0;
   const Recording read = Cured(files, unshifted).recording;
   const int run = read.run(piece.front().row_idx);
-  const double cap = kCap * ReachOf(files.robot());
+  const double reach = ReachOf(Cured(files, unshifted).spec.robot);
+  const double cap = kCap * reach;
   // [m] how far the reading of a row lies from the point of the row so many later.
   const auto off = [&](int row, int shift) {
     const int of = row + shift;
@@ -59,21 +53,21 @@ std::optional<SetUp> ShiftedPart(const Files& files,
   }
   double least = std::numeric_limits<double>::infinity();
   SetUp best = unshifted;
-  for (int shift = -kMostShifted; shift <= kMostShifted; ++shift) {
+  for (int shift = -kMostRowShift; shift <= kMostRowShift; ++shift) {
     if (shift == 0) continue;
     double sum = 0;
     for (const int row : rows) sum += off(row, shift);
     // The first rows as they are, one more at a time.
-    for (const int row : rows) {
-      if (sum < least) {
+    for (std::size_t k = 0; k + kFewestShifted < rows.size(); ++k) {
+      if (sum < least && (k == 0 || k >= kFewestShifted)) {
         least = sum;
         best.shift = shift;
-        best.shift_from = row;
+        best.shift_from = k == 0 ? 0 : rows[k];
       }
-      sum += off(row, 0) - off(row, shift);
+      sum += off(rows[k], 0) - off(rows[k], shift);
     }
   }
-  if (!(least <= kFits * ReachOf(files.robot()) * static_cast<double>(rows.size()))) {
+  if (!(least <= kNominalFits * reach * static_cast<double>(rows.size()))) {
     return std::nullopt;
   }
   return best;

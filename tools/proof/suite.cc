@@ -72,7 +72,7 @@ ProofScore Prove(const ProofOptions& options, const ProofCase& wanted) {
 
 std::vector<ProofCase> CasesOf(const ProofOptions& options) {
   std::vector<ProofCase> cases;
-  if (options.random > 0 && options.only.empty() && !options.quick) return cases;
+  if (options.random + options.setups > 0 && options.only.empty() && !options.quick) return cases;
   for (const concealed::Scenario& scenario : concealed::AllScenarios()) {
     const bool wanted = options.only.empty()
                             ? (!options.quick || scenario.quick)

@@ -29,6 +29,7 @@ struct ProofOptions {
   bool quick = false;  // one seed of the quick scenarios
   int jobs = 1;
   int random = 0;  // random trials; > 0 = these alone, unless scenarios are named
+  int setups = 0;  // wrong set-ups, beside as many right ones; alone, as `random`
   int first = 1;   // seed of the first
 };
 

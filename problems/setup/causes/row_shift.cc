@@ -10,8 +10,6 @@
 namespace dhcal {
 namespace {
 
-constexpr int kMostShifted = 2;  // rows
-
 int LineOf(const Recording& recording, int row) {
   const auto idx = static_cast<std::size_t>(row);
   return idx < recording.lines.size() ? recording.lines[idx] : 0;
@@ -24,7 +22,7 @@ class RowShiftKind : public CauseKind {
                   const SetUp& from,
                   std::vector<SetUp>* set_ups) const override {
     if (files.spec.measurement.kind.pairs) return;
-    for (int shift = -kMostShifted; shift <= kMostShifted; ++shift) {
+    for (int shift = -kMostRowShift; shift <= kMostRowShift; ++shift) {
       if (shift == from.shift) continue;
       set_ups->push_back(from);
       set_ups->back().shift = shift;
