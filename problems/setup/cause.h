@@ -31,6 +31,8 @@ struct CuredFiles {
   Recording recording;
 };
 
+constexpr int kOneCause = 2;
+
 class CauseKind {
  public:
   virtual ~CauseKind() = default;
@@ -47,11 +49,12 @@ class CauseKind {
                         std::vector<SetUp>* /*set_ups*/) const {}
   /// True for a kind that makes all poses wrong: the other kinds are tried under it, too.
   virtual bool spoils_all() const { return false; }
-  /// How many things of this kind a set-up changes.
-  virtual int Count(const SetUp& set_up) const = 0;
+  /// How much of this kind a set-up changes: kOneCause for a thing by itself, less for more of the
+  /// same hand; 0 for none.
+  virtual int Weight(const SetUp& set_up) const = 0;
   /// Adds the set-ups with one thing of this kind less.
   virtual void Undo(const SetUp& set_up, std::vector<SetUp>* set_ups) const = 0;
-  /// Adds one cause with its sentence and line; nothing where Count is 0.
+  /// Adds one cause with its sentence and line; nothing where Weight is 0.
   virtual void Describe(const Files& files,
                         const SetUp& set_up,
                         std::vector<SetupCause>* causes) const = 0;
@@ -62,8 +65,8 @@ class CauseKind {
 /// All kinds, in the order in which they are told.
 const std::vector<const CauseKind*>& CauseKinds();
 
-/// Things that a set-up changes, over all kinds.
-int CountCauses(const SetUp& set_up);
+/// Of all kinds together.
+int WeightOf(const SetUp& set_up);
 
 /// Copies of the files that say what the set-up takes them for.
 CuredFiles Cured(const Files& files, const SetUp& set_up);

@@ -47,15 +47,17 @@ std::vector<Reading> LargestPart(const Calibration& c) {
 struct Verified {
   SetUp set_up;
   double rms = 0;
-  int causes = 0;
+  int weight = 0;
   double reach = 1;  // [m] of the cured robot
-  double Rank() const { return rms * std::pow(kPerCause, causes); }
+  /// [m] in the lengths of the file's readings: a unit that makes everything small gains nothing.
+  double AsRead() const { return rms / set_up.reading_scale; }
+  double Rank() const { return AsRead() * std::pow(kPerCause, weight); }
 };
 
 Verified VerifyCured(const SetUp& set_up, const CuredFiles& cured) {
   return {set_up,
           FitFrames(cured.spec, cured.recording).rms,
-          CountCauses(set_up),
+          WeightOf(set_up),
           ReachOf(cured.spec.robot)};
 }
 
@@ -106,20 +108,20 @@ Findings Conclude(const Files& files,
                   std::vector<Verified> verified,
                   double rms_before,
                   double gain,
-                  int most_causes) {
+                  int most_weight) {
   Findings findings;
   std::sort(verified.begin(), verified.end(), [](const Verified& a, const Verified& b) {
     return a.Rank() < b.Rank();
   });
   if (verified.empty()) return findings;
   const Verified& best = verified.front();
-  if (best.causes == 0 || best.causes > most_causes || !(best.rms <= kNominalFits * best.reach) ||
-      !(gain * best.rms <= rms_before)) {
+  if (best.weight == 0 || best.weight > most_weight || !(best.rms <= kNominalFits * best.reach) ||
+      !(gain * best.AsRead() <= rms_before)) {
     return findings;
   }
   std::vector<Verified> alternatives;
   for (const Verified& other : verified) {
-    if (other.Rank() <= kNotTold * best.Rank() && other.causes > 0) alternatives.push_back(other);
+    if (other.Rank() <= kNotTold * best.Rank() && other.weight > 0) alternatives.push_back(other);
   }
   if (alternatives.size() > kMostListed) alternatives.resize(kMostListed);
   for (std::size_t k = 0; k < alternatives.size(); ++k) {
@@ -197,7 +199,7 @@ SetupCause DescribeForm(const Files& files, const OrientationForms& forms) {
 
 }  // namespace
 
-Findings FindCauses(const Files& files, double rms_before, int most_causes) {
+Findings FindCauses(const Files& files, double rms_before, int most_weight) {
   const ProblemSpec frames_only = FramesOnly(files.spec, files.recording);
   const Calibration calibration(frames_only, files.recording);
   const std::vector<Reading> part = LargestPart(calibration);
@@ -222,14 +224,14 @@ Findings FindCauses(const Files& files, double rms_before, int most_causes) {
       if (Solved(verified)) break;
     }
   }
-  return Conclude(files, std::move(verified), rms_before, kFarBetter, most_causes);
+  return Conclude(files, std::move(verified), rms_before, kFarBetter, most_weight);
 }
 
 Findings FindMovedFrames(const Files& files, double rms_before) {
   std::vector<Verified> verified = {
       {AsWritten(files.num_joints()), rms_before, 0, ReachOf(files.robot())}};
   TryMovedFrames(files, &verified);
-  return Conclude(files, std::move(verified), rms_before, kFramesMoved, 2);
+  return Conclude(files, std::move(verified), rms_before, kFramesMoved, 2 * kOneCause);
 }
 
 OrientationFindings FindOrientationForm(const Files& files) {

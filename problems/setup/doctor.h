@@ -18,7 +18,7 @@ struct Findings {
 /// and tool fitted meets the readings far better than as written. `rms_before` [m]: as written
 /// (infinite where that could not be fitted). `most_causes`: alternatives with more are not
 /// claimed. Seconds at most, whatever the number of rows.
-Findings FindCauses(const Files& files, double rms_before, int most_causes);
+Findings FindCauses(const Files& files, double rms_before, int most_weight);
 
 /// Whether the frames of the runs differ: one more thing to try where all else is right.
 Findings FindMovedFrames(const Files& files, double rms_before);

@@ -10,23 +10,24 @@
 namespace dhcal {
 namespace {
 
-/// Lengths of the robot per length of the readings that a wrong unit makes: millimetres, inches and
-/// metres under each other's names.
-constexpr std::array<double, 7> kScales = {1, 1000, 1e-3, 25.4, 1 / 25.4, 1000 / 25.4, 25.4 / 1000};
-constexpr double kNearScale = 0.1;  // of the unit: no robot is so much larger than its table
-
-/// The unit nearest to a scale that was found; 1 where none is near.
-double UnitNear(double scale) {
-  for (const double unit : kScales) {
-    if (std::abs(scale / unit - 1) < kNearScale) return unit;
-  }
-  return 1;
-}
-
 // A left-handed frame must fit so much better: readings in a plane fit both.
 constexpr double kMirrored = 0.5;
 // Against p that no reading shows; far below what any shows.
 constexpr double kRidge = 1e-10;
+
+// Within so much of 1 a scale is none.
+constexpr double kNoScale = 0.1;
+
+/// The nearest scale that wrong units make: 1, or powers of ten of whole thousands and inches.
+double ScaleNear(double scale) {
+  for (const double inches : {1.0, 25.4, 1 / 25.4}) {
+    for (int thousands = -2; thousands <= 2; ++thousands) {
+      const double unit = inches * std::pow(1000.0, thousands);
+      if (std::abs(scale / unit - 1) < kNoScale) return unit;
+    }
+  }
+  return 1;
+}
 
 }  // namespace
 
@@ -71,7 +72,7 @@ void FramesFit::JudgeFrame(const Eigen::Matrix3d& C, double rms_t, FramesMisfit*
         svd.matrixU() * Eigen::Vector3d(1, 1, flip).asDiagonal() * svd.matrixV().transpose();
     FramesMisfit judged = *misfit;
     judged.mirrored = handedness < 0;
-    judged.scale = UnitNear((R.transpose() * C * spread_).trace() / spread_.trace());
+    judged.scale = ScaleNear((R.transpose() * C * spread_).trace() / spread_.trace());
     const Eigen::Matrix3d rest = C - judged.scale * R;
     const double of_frame = (rest * spread_ * rest.transpose()).trace();
     judged.rms = std::sqrt(rms_t * rms_t + of_frame) / judged.scale;
@@ -151,7 +152,7 @@ FramesMisfit FramesFit::FitDistances(const FlangePoses& now) const {
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
   const Eigen::VectorXd x = qr.solve(b);
   if (!(x[0] > 0)) return misfit;
-  misfit.scale = UnitNear(std::sqrt(x[0]));
+  misfit.scale = ScaleNear(std::sqrt(x[0]));
   const Eigen::VectorXd rest =
       (b - A * x + (x[0] - misfit.scale * misfit.scale) * A.col(0)).array() /
       (2 * misfit.scale * misfit.scale * distance_.array());

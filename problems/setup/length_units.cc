@@ -1,11 +1,14 @@
 #include "problems/setup/length_units.h"
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace dhcal {
 namespace {
 
-constexpr double kInch = 25.4;                              // [mm]
+constexpr double kInch = 25.4;     // [mm]
+constexpr double kNearUnit = 0.1;  // of a factor: no robot is so much larger than its table
 constexpr double kSmallestReach = 0.1, kLargestReach = 30;  // [m] of arms
 
 bool Near(double a, double b) { return std::abs(a / b - 1) < 1e-6; }
@@ -18,11 +21,19 @@ double TableReach(const RobotModel& robot) {
   return reach;
 }
 
-bool TableIsWrong(const RobotModel& robot, double ratio) {
-  if (Near(ratio, kInch) || Near(ratio, kInch / 1000)) return false;
-  if (Near(ratio, 1 / kInch) || Near(ratio, 1000 / kInch)) return true;
+std::optional<LengthFactors> UnitsOf(const RobotModel& robot, double ratio) {
+  constexpr std::array<double, 5> kReadings = {1, 1000, 1e-3, kInch, kInch / 1000};
   const double reach = TableReach(robot);
-  return reach < kSmallestReach || reach > kLargestReach;
+  // Where the arm's size is none, the table is wrong, whatever the readings are.
+  std::vector<double> tables = {1, kInch, kInch / 1000};
+  if (reach > kLargestReach) tables = {1e-3};
+  if (reach < kSmallestReach) tables = {1e3, kInch};
+  for (const double table : tables) {
+    for (const double readings : kReadings) {
+      if (std::abs(table * ratio / readings - 1) < kNearUnit) return LengthFactors{table, readings};
+    }
+  }
+  return std::nullopt;
 }
 
 LengthUnitWords WordsOfLengthUnit(double factor) {

@@ -3,13 +3,20 @@
 #ifndef DHCAL_PROBLEMS_SETUP_LENGTH_UNITS_H_
 #define DHCAL_PROBLEMS_SETUP_LENGTH_UNITS_H_
 
+#include <optional>
+
 #include "core/model/robot.h"
 
 namespace dhcal {
 
-/// `ratio`: lengths of the table over those of the readings, one of the units' ratios. True where
-/// the table is wrong, not the readings.
-bool TableIsWrong(const RobotModel& robot, double ratio);
+/// What makes metres of the table's and of the readings' lengths.
+struct LengthFactors {
+  double table = 1, readings = 1;
+};
+/// `ratio`: lengths of the table over those of the readings, as base and tool find it. The units
+/// whose ratio is near it and with which the arm has a size that arms have; factors of 1 where
+/// there are none.
+std::optional<LengthFactors> UnitsOf(const RobotModel& robot, double ratio);
 
 /// What the arm would reach by its table [m].
 double TableReach(const RobotModel& robot);

@@ -20,10 +20,10 @@ const std::vector<const CauseKind*>& CauseKinds() {
   return kinds;
 }
 
-int CountCauses(const SetUp& set_up) {
-  int count = 0;
-  for (const CauseKind* kind : CauseKinds()) count += kind->Count(set_up);
-  return count;
+int WeightOf(const SetUp& set_up) {
+  int weight = 0;
+  for (const CauseKind* kind : CauseKinds()) weight += kind->Weight(set_up);
+  return weight;
 }
 
 CuredFiles Cured(const Files& files, const SetUp& set_up) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -39,7 +41,7 @@ std::vector<Reading> Few(const Recording& recording, const std::vector<Reading>&
 
 bool Better(const Candidate& a, const Candidate& b) {
   if (a.misfit.rms != b.misfit.rms) return a.misfit.rms < b.misfit.rms;
-  return a.causes < b.causes;
+  return a.weight < b.weight;
 }
 
 }  // namespace
@@ -69,16 +71,18 @@ Candidate SetUpSearch::Judge(SetUp set_up) const {
   if (!before_.empty()) before_[shift].Evaluate(set_up, &before);
   Candidate candidate;
   candidate.misfit = fit_.Fit(now, before);
-  // Of the search's own steps in between, the table's unit counts as found.
-  const double ratio = candidate.misfit.scale / set_up.table_scale;
-  if (candidate.misfit.scale != 1 && TableIsWrong(files_.robot(), ratio)) {
-    set_up.table_scale /= candidate.misfit.scale;
-    candidate.misfit.p_TQ /= candidate.misfit.scale;
+  // A step may have said already what the table's unit is.
+  std::optional<LengthFactors> factors = LengthFactors{set_up.table_scale, candidate.misfit.scale};
+  if (set_up.table_scale == 1) factors = UnitsOf(files_.robot(), candidate.misfit.scale);
+  if (factors) {
+    candidate.misfit.p_TQ *= factors->table / set_up.table_scale;
+    set_up.table_scale = factors->table;
+    set_up.reading_scale = factors->readings;
   } else {
-    set_up.reading_scale = candidate.misfit.scale;
+    candidate.misfit.rms = std::numeric_limits<double>::infinity();
   }
   set_up.mirrored = candidate.misfit.mirrored;
-  candidate.causes = CountCauses(set_up);
+  candidate.weight = WeightOf(set_up);
   candidate.set_up = std::move(set_up);
   return candidate;
 }
@@ -109,11 +113,15 @@ std::vector<SetUp> SetUpSearch::Seeds() const {
     for (SetUp& second : Steps(step)) seeds.push_back(std::move(second));
   }
   // Under what spoils everything, alone or together, the far jumps of the other kinds.
-  std::vector<SetUp> modes = {as_written};
+  std::vector<SetUp> alone, modes = {as_written};
   for (const CauseKind* kind : CauseKinds()) {
-    if (!kind->spoils_all()) continue;
-    const std::vector<SetUp> before = modes;
-    for (const SetUp& mode : before) kind->Neighbours(files_, mode, &modes);
+    if (kind->spoils_all()) kind->Neighbours(files_, as_written, &alone);
+  }
+  for (const SetUp& mode : alone) {
+    modes.push_back(mode);
+    if (mode.other_convention) continue;
+    modes.push_back(mode);
+    modes.back().other_convention = true;
   }
   for (const SetUp& mode : modes) {
     for (const CauseKind* kind : CauseKinds()) {
@@ -137,15 +145,15 @@ void SetUpSearch::Simplify(Candidate* candidate) const {
                                 judged.end(),
                                 [&](const Candidate& other) {
                                   return other.misfit.rms > allowed ||
-                                         other.causes > candidate->causes ||
-                                         (other.causes == candidate->causes &&
+                                         other.weight > candidate->weight ||
+                                         (other.weight == candidate->weight &&
                                           !(other.misfit.rms < candidate->misfit.rms));
                                 }),
                  judged.end());
     if (judged.empty()) return;
     *candidate =
         *std::min_element(judged.begin(), judged.end(), [](const Candidate& a, const Candidate& b) {
-          return std::pair(a.causes, a.misfit.rms) < std::pair(b.causes, b.misfit.rms);
+          return std::pair(a.weight, a.misfit.rms) < std::pair(b.weight, b.misfit.rms);
         });
   }
 }
@@ -188,7 +196,7 @@ std::vector<Candidate> SetUpSearch::Run() const {
     if (is_new) kept.push_back(candidate);
   }
   std::sort(kept.begin(), kept.end(), [](const Candidate& a, const Candidate& b) {
-    return std::pair(a.causes, a.misfit.rms) < std::pair(b.causes, b.misfit.rms);
+    return std::pair(a.weight, a.misfit.rms) < std::pair(b.weight, b.misfit.rms);
   });
   return kept;
 }

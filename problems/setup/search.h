@@ -15,7 +15,7 @@ namespace dhcal {
 struct Candidate {
   SetUp set_up;
   FramesMisfit misfit;
-  int causes = 0;
+  int weight = 0;
 };
 
 /// Bound to files, calibration and readings, which must outlive it. Immutable.

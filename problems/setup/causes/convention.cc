@@ -14,7 +14,7 @@ class ConventionKind : public CauseKind {
     set_ups->push_back(from);
     set_ups->back().other_convention = !from.other_convention;
   }
-  int Count(const SetUp& set_up) const override { return set_up.other_convention ? 1 : 0; }
+  int Weight(const SetUp& set_up) const override { return set_up.other_convention ? kOneCause : 0; }
   void Undo(const SetUp& set_up, std::vector<SetUp>* set_ups) const override {
     if (!set_up.other_convention) return;
     set_ups->push_back(set_up);

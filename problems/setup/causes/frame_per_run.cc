@@ -20,8 +20,8 @@ class FramePerRunKind : public CauseKind {
       set_ups->back().tool_per_run = true;
     }
   }
-  int Count(const SetUp& set_up) const override {
-    return (set_up.base_per_run ? 1 : 0) + (set_up.tool_per_run ? 1 : 0);
+  int Weight(const SetUp& set_up) const override {
+    return kOneCause * ((set_up.base_per_run ? 1 : 0) + (set_up.tool_per_run ? 1 : 0));
   }
   void Undo(const SetUp& set_up, std::vector<SetUp>* set_ups) const override {
     if (set_up.base_per_run) {

@@ -42,7 +42,7 @@ class JointOrderKind : public CauseKind {
       if (same_types) set_ups->push_back(set_up);
     }
   }
-  int Count(const SetUp& set_up) const override {
+  int Weight(const SetUp& set_up) const override {
     const int n = static_cast<int>(set_up.joints.size());
     int moved = 0;
     bool reversed = n > 2;
@@ -53,7 +53,7 @@ class JointOrderKind : public CauseKind {
     }
     // One wrong order is one cause, but few columns are confused more easily than many.
     if (moved == 0) return 0;
-    return moved <= 3 || reversed ? 1 : 2;
+    return moved <= 3 || reversed ? kOneCause : 2 * kOneCause;
   }
   void Undo(const SetUp& set_up, std::vector<SetUp>* set_ups) const override {
     for (std::size_t j = 0; j < set_up.joints.size(); ++j) {

@@ -30,10 +30,10 @@ class JointSenseKind : public CauseKind {
       }
     }
   }
-  int Count(const SetUp& set_up) const override {
+  int Weight(const SetUp& set_up) const override {
     int count = 0;
     for (const SetUp::Joint& joint : set_up.joints) count += joint.sense < 0 ? 1 : 0;
-    return count;
+    return count == 0 ? 0 : kOneCause + (count - 1);
   }
   void Undo(const SetUp& set_up, std::vector<SetUp>* set_ups) const override {
     for (std::size_t j = 0; j < set_up.joints.size(); ++j) {

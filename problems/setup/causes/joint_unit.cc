@@ -30,7 +30,7 @@ class JointUnitKind : public CauseKind {
       for (int j = 0; j < n; ++j) Add(files, from, unit, j, j + 1, set_ups);
     }
   }
-  int Count(const SetUp& set_up) const override {
+  int Weight(const SetUp& set_up) const override {
     // Columns that follow each other were written by one hand.
     int count = 0;
     AngleUnit before = AngleUnit::kAsWritten;
@@ -38,10 +38,10 @@ class JointUnitKind : public CauseKind {
       count += joint.unit != before && joint.unit != AngleUnit::kAsWritten ? 1 : 0;
       before = joint.unit;
     }
-    return count;
+    return kOneCause * count;
   }
   void Undo(const SetUp& set_up, std::vector<SetUp>* set_ups) const override {
-    if (Count(set_up) == 0) return;
+    if (Weight(set_up) == 0) return;
     set_ups->push_back(set_up);
     for (SetUp::Joint& joint : set_ups->back().joints) joint.unit = AngleUnit::kAsWritten;
     for (std::size_t j = 0; j < set_up.joints.size(); ++j) {

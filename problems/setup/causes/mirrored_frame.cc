@@ -13,7 +13,7 @@ class MirroredFrameKind : public CauseKind {
   void Neighbours(const Files& /*files*/,
                   const SetUp& /*from*/,
                   std::vector<SetUp>* /*set_ups*/) const override {}  // the fit finds it
-  int Count(const SetUp& set_up) const override { return set_up.mirrored ? 1 : 0; }
+  int Weight(const SetUp& set_up) const override { return set_up.mirrored ? kOneCause : 0; }
   void Undo(const SetUp& /*set_up*/, std::vector<SetUp>* /*set_ups*/) const override {}
   void Describe(const Files& files,
                 const SetUp& set_up,

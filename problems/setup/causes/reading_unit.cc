@@ -14,7 +14,9 @@ class ReadingUnitKind : public CauseKind {
   void Neighbours(const Files& /*files*/,
                   const SetUp& /*from*/,
                   std::vector<SetUp>* /*set_ups*/) const override {}  // the fit finds it
-  int Count(const SetUp& set_up) const override { return set_up.reading_scale == 1 ? 0 : 1; }
+  int Weight(const SetUp& set_up) const override {
+    return set_up.reading_scale == 1 ? 0 : kOneCause;
+  }
   void Undo(const SetUp& /*set_up*/, std::vector<SetUp>* /*set_ups*/) const override {}
   void Describe(const Files& files,
                 const SetUp& set_up,

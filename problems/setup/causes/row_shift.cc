@@ -18,6 +18,7 @@ int LineOf(const Recording& recording, int row) {
 class RowShiftKind : public CauseKind {
  public:
   std::string name() const override { return "row_shift"; }
+  bool spoils_all() const override { return true; }
   void Neighbours(const Files& files,
                   const SetUp& from,
                   std::vector<SetUp>* set_ups) const override {
@@ -28,7 +29,7 @@ class RowShiftKind : public CauseKind {
       set_ups->back().shift = shift;
     }
   }
-  int Count(const SetUp& set_up) const override { return set_up.shift != 0 ? 1 : 0; }
+  int Weight(const SetUp& set_up) const override { return set_up.shift != 0 ? kOneCause : 0; }
   void Undo(const SetUp& set_up, std::vector<SetUp>* set_ups) const override {
     if (set_up.shift == 0) return;
     set_ups->push_back(set_up);

@@ -22,22 +22,23 @@ class TableLengthKind : public CauseKind {
         });
     if (!slides) return;
     for (const double scale : {1e3, 1e-3}) {
-      if (scale == from.table_scale || !TableIsWrong(files.robot(), 1 / scale)) continue;
+      const std::optional<LengthFactors> units = UnitsOf(files.robot(), 1 / scale);
+      if (scale == from.table_scale || !units || units->table != scale) continue;
       set_ups->push_back(from);
       set_ups->back().table_scale = scale;
     }
   }
   bool spoils_all() const override { return true; }
-  int Count(const SetUp& set_up) const override { return set_up.table_scale == 1 ? 0 : 1; }
+  int Weight(const SetUp& set_up) const override { return set_up.table_scale == 1 ? 0 : kOneCause; }
   void Undo(const SetUp& set_up, std::vector<SetUp>* set_ups) const override {
-    if (Count(set_up) == 0) return;
+    if (Weight(set_up) == 0) return;
     set_ups->push_back(set_up);
     set_ups->back().table_scale = 1;
   }
   void Describe(const Files& files,
                 const SetUp& set_up,
                 std::vector<SetupCause>* causes) const override {
-    if (Count(set_up) == 0) return;
+    if (Weight(set_up) == 0) return;
     const LengthUnitWords words = WordsOfLengthUnit(set_up.table_scale);
     SetupCause cause;
     cause.kind = name();

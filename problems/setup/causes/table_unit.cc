@@ -28,18 +28,18 @@ class TableUnitKind : public CauseKind {
       set_ups->back().table_unit = unit;
     }
   }
-  int Count(const SetUp& set_up) const override {
-    return set_up.table_unit == AngleUnit::kAsWritten ? 0 : 1;
+  int Weight(const SetUp& set_up) const override {
+    return set_up.table_unit == AngleUnit::kAsWritten ? 0 : kOneCause;
   }
   void Undo(const SetUp& set_up, std::vector<SetUp>* set_ups) const override {
-    if (Count(set_up) == 0) return;
+    if (Weight(set_up) == 0) return;
     set_ups->push_back(set_up);
     set_ups->back().table_unit = AngleUnit::kAsWritten;
   }
   void Describe(const Files& files,
                 const SetUp& set_up,
                 std::vector<SetupCause>* causes) const override {
-    if (Count(set_up) == 0) return;
+    if (Weight(set_up) == 0) return;
     const bool radians = set_up.table_unit == AngleUnit::kHoldsRadians;
     const double unit = radians ? kDegree : 1;
     std::string example;

@@ -27,10 +27,10 @@ class ZeroOffsetKind : public CauseKind {
       }
     }
   }
-  int Count(const SetUp& set_up) const override {
+  int Weight(const SetUp& set_up) const override {
     int count = 0;
     for (const SetUp::Joint& joint : set_up.joints) count += joint.quarters != 0 ? 1 : 0;
-    return count;
+    return kOneCause * count;
   }
   void Undo(const SetUp& set_up, std::vector<SetUp>* set_ups) const override {
     for (std::size_t j = 0; j < set_up.joints.size(); ++j) {
