@@ -46,7 +46,10 @@ TEST(ResultToJson, HasTheKeysOfSchemaOne) {
                                    "comparison",
                                    "baseline",
                                    "validation",
+                                   "setup",
                                    "notes"));
+  EXPECT_THAT(Keys(root["setup"]),
+              UnorderedElementsAre("plausible", "reasons", "causes", "cured", "remarks"));
   EXPECT_THAT(Keys(root["baseline"]), UnorderedElementsAre("nominal", "base_and_tool_only"));
   EXPECT_THAT(Keys(root["baseline"]["nominal"]),
               UnorderedElementsAre("rms_m", "rms_point_m", "max_point_m"));
@@ -142,6 +145,7 @@ TEST(ResultToJson, LeavesOutWhatWasNotComputed) {
                                    "simulated",
                                    "fits",
                                    "baseline",
+                                   "setup",
                                    "notes"));
   const json parameter = Parsed(ExampleResult())["fits"][0]["parameters"][11];
   EXPECT_EQ(parameter["verdict"], "fixed");
