@@ -15,6 +15,7 @@ DEFINE_string(data_dir, "", "what ${DHCAL_DATA} in a problem file stands for");
 DEFINE_string(method, "", "overrides solver.method of the file");
 DEFINE_string(singular_value_tolerance, "", "overrides solver.singular_value_tolerance");
 DEFINE_string(diagnosis, "", "overrides diagnosis.run of the file");
+DEFINE_string(import, "", "a table whose columns are guessed");
 DEFINE_bool(quiet, false, "print nothing but errors");
 
 namespace dhcal {
@@ -34,6 +35,8 @@ constexpr char kHelp[] =
   --singular_value_tolerance T
                     noise | paper | a number, instead of the file's
   --diagnosis D     auto | always | never: look for left-out physics, instead of the file's
+  --import FILE     print which columns a recording probably has, as lines for the problem file to
+                    correct; with --problem for the joints of that robot
   --list_effects    print the library of physical effects
   --quiet           print nothing but errors
   --version, --help
@@ -90,7 +93,7 @@ class Argument {
 /// Sets one of our flags; an error text when that cannot be done.
 std::string SetFlag(Argument* argument) {
   static const std::set<std::string> kTexts = {
-      "out", "data_dir", "method", "singular_value_tolerance", "diagnosis"};
+      "out", "data_dir", "method", "singular_value_tolerance", "diagnosis", "import"};
   const std::string& name = argument->name();
   if (name == "quiet" || name == "noquiet") {
     const std::string value = argument->own_value().value_or(name == "quiet" ? "true" : "false");
@@ -135,7 +138,10 @@ CommandLineStatus ParseCommandLine(int argc, char** argv, CommandLine* command_l
       return Refuse(error);
     }
   }
-  if (command_line->problems.empty()) return Refuse("no problem given; say --problem FILE.yaml");
+  command_line->import = FLAGS_import;
+  if (command_line->problems.empty() && command_line->import.empty()) {
+    return Refuse("no problem given; say --problem FILE.yaml");
+  }
   command_line->out = FLAGS_out;
   command_line->data_dir = FLAGS_data_dir;
   if (command_line->data_dir.empty()) {
