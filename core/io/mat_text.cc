@@ -26,6 +26,9 @@ struct FreeVariable {
   void operator()(matvar_t* variable) const { Mat_VarFree(variable); }
 };
 
+/// No recording's matrix is wider; an image, or a damaged file, is.
+constexpr std::size_t kMostColumns = 64;
+
 /// A vector or matrix, column by column as MATLAB stores it.
 struct MatNumbers {
   std::string name;
@@ -98,6 +101,10 @@ void MatReader::AddNumbers(const matvar_t& variable, const std::string& name) {
     return;
   }
   if (numbers.rows == 1) std::swap(numbers.rows, numbers.columns);
+  if (numbers.columns > kMostColumns) {
+    left_out_.push_back(name);
+    return;
+  }
   numbers_.push_back(std::move(numbers));
 }
 

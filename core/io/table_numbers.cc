@@ -77,9 +77,12 @@ void TableNumbers::RewriteCell(std::string_view* cell, char mark, const NumberFo
   if (form.group != 0 && groups_.find(form.group) == std::string::npos) groups_ += form.group;
   decimal_commas_ = decimal_commas_ || comma;
   odd_minus_ = odd_minus_ || form.odd_minus;
-  if (!comma && form.group == 0 && !form.odd_minus) return;
-  char* const text = table_.text_->data();
-  *cell = Replace(*cell, PlainNumber(*cell, mark), text + (cell->data() - text));
+  char* const begin = table_.text_->data() + (cell->data() - table_.text_->data());
+  if (form.group != 0 || form.odd_minus) {
+    *cell = Replace(*cell, PlainNumber(*cell, mark), begin);
+  } else if (comma) {
+    begin[cell->find(',')] = '.';  // by far the most frequent
+  }
 }
 
 void TableNumbers::Rewrite(int column_idx, char mark) {

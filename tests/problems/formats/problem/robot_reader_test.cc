@@ -8,6 +8,7 @@
 #include "core/base/units.h"
 #include "core/kinematics/dh_chain.h"
 #include "problems/formats/problem/problem_reader.h"
+#include "problems/formats/result/result_writer.h"
 #include "tests/support/temp_file.h"
 
 namespace dhcal {
@@ -60,6 +61,33 @@ TEST(RobotReader, FixedRowsBecomePartOfBaseAndTool) {
     const Eigen::Isometry3d expected = PoseOfTool(turning, Eigen::Vector4d(0, 0.3, -0.8, 0));
     EXPECT_TRUE(X.isApprox(expected, 1e-14)) << convention;
   }
+}
+
+TEST(RobotReader, FixedRowsAreGoneFromTheCalibratedFile) {
+  const TempFile file(
+      "schema: 1\n"
+      "robot:\n"
+      "  joints:\n"
+      "    - {type: fixed, alpha_deg: 90}\n"
+      "    - {d_m: 0.4, alpha_deg: 90}\n"
+      "    - {a_m: 0.5}\n"
+      "    - {type: fixed, d_m: 0.1}\n"
+      "  payload: {mass_kg: 2, com_m: [0, 0, 0.05]}\n"
+      "measurement: {kind: position}\n"
+      "recording: rows.csv\n",
+      ".yaml");
+  Diagnostics diagnostics;
+  const auto spec = ReadProblemFile(file.path(), "", &diagnostics);
+  ASSERT_TRUE(spec.has_value()) << diagnostics.ToString();
+  const TempFile written(CalibratedYaml(*spec, spec->robot, {}, "rows.csv"), "_calibrated.yaml");
+  const auto again = ReadProblemFile(written.path(), "", &diagnostics);
+  ASSERT_TRUE(again.has_value()) << diagnostics.ToString();
+  const Eigen::Vector2d q(0.3, -0.8);
+  EXPECT_TRUE(PoseOfTool(again->robot, q).isApprox(PoseOfTool(spec->robot, q), 1e-14));
+  EXPECT_TRUE(again->robot.gravity_B.isApprox(spec->robot.gravity_B, 1e-14));
+  EXPECT_NEAR(spec->robot.gravity_B.y(), -9.80665, 1e-12);
+  EXPECT_NEAR(spec->robot.payload.p_LC.z(), 0.15, 1e-15);
+  EXPECT_TRUE(again->robot.payload.p_LC.isApprox(spec->robot.payload.p_LC, 1e-14));
 }
 
 TEST(RobotReader, FixedRowBetweenJointsIsRefused) {
