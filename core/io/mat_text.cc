@@ -7,6 +7,7 @@
 #include <limits>
 #include <matio.h>
 #include <memory>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct CloseMat {
 struct FreeVariable {
   void operator()(matvar_t* variable) const { Mat_VarFree(variable); }
 };
+
+/// More than any recording has; some damaged files never end.
+constexpr int kMostVariables = 1000;
 
 /// No recording's matrix is wider; an image, or a damaged file, is.
 constexpr std::size_t kMostColumns = 64;
@@ -75,6 +79,8 @@ class MatReader {
  private:
   void Add(matvar_t* variable);
   void AddNumbers(const matvar_t& variable, const std::string& name);
+  /// Whether the file can hold what it says: a damaged one asks for all the memory there is.
+  bool IsPlausible(matvar_t* variable) const;
   void DropShort(std::size_t num_rows);
   std::string Text(std::size_t num_rows) const;
 
@@ -83,6 +89,7 @@ class MatReader {
   std::vector<MatNumbers> numbers_;
   std::vector<std::string> left_out_;
   bool opaque_ = false;
+  double file_size_ = 0;  // [bytes]
 };
 
 void MatReader::AddNumbers(const matvar_t& variable, const std::string& name) {
@@ -127,6 +134,20 @@ void MatReader::Add(matvar_t* variable) {
   }
 }
 
+bool MatReader::IsPlausible(matvar_t* variable) const {
+  constexpr double kBestCompression = 1100;  // of zlib
+  double count = 1;
+  for (int k = 0; k < variable->rank; ++k) count *= static_cast<double>(variable->dims[k]);
+  if (count > kBestCompression * file_size_) return false;
+  if (variable->class_type != MAT_C_STRUCT || count != 1) return true;
+  const unsigned num_fields = Mat_VarGetNumberOfFields(variable);
+  for (unsigned k = 0; k < num_fields; ++k) {
+    matvar_t* const field = Mat_VarGetStructFieldByIndex(variable, k, 0);
+    if (field != nullptr && !IsPlausible(field)) return false;
+  }
+  return true;
+}
+
 void MatReader::DropShort(std::size_t num_rows) {
   const auto is_short = [&](const MatNumbers& numbers) { return numbers.rows != num_rows; };
   for (const MatNumbers& numbers : numbers_) {
@@ -167,9 +188,17 @@ std::optional<std::string> MatReader::Read() {
     errors_->Error({file_}, "this is no MATLAB file that can be read; save it with save -v7");
     return std::nullopt;
   }
-  while (true) {
-    const std::unique_ptr<matvar_t, FreeVariable> variable(Mat_VarReadNext(mat.get()));
+  std::error_code status;
+  file_size_ = static_cast<double>(std::filesystem::file_size(file_, status));
+  for (int k = 0; k < kMostVariables; ++k) {
+    const std::unique_ptr<matvar_t, FreeVariable> variable(Mat_VarReadNextInfo(mat.get()));
     if (!variable) break;
+    if (!IsPlausible(variable.get()) || Mat_VarReadDataAll(mat.get(), variable.get()) != 0) {
+      errors_->Error(
+          {file_},
+          "the file is damaged: a variable cannot be read, or is larger than the file can hold");
+      return std::nullopt;
+    }
     Add(variable.get());
   }
   std::size_t num_rows = 0;
