@@ -11,6 +11,7 @@
 
 #include "tools/support/batch.h"
 #include "tools/support/command_line.h"
+#include "tools/support/import_run.h"
 
 namespace {
 
@@ -42,7 +43,8 @@ int main(int argc, char** argv) {
       break;
   }
   try {
-    return dhcal::RunBatch(command_line);
+    return command_line.import.empty() ? dhcal::RunBatch(command_line)
+                                       : dhcal::RunImport(command_line);
   } catch (const std::exception& error) {
     std::cerr << "ceres_dhcal: internal error: " << error.what() << "\n";
     return dhcal::kExitNoUsableResult;

@@ -43,8 +43,9 @@ std::optional<Input> Read(const std::string& file, Diagnostics* diagnostics) {
   std::optional<ProblemSpec> spec = ReadProblemFile(file, data == nullptr ? "" : data, diagnostics);
   if (!spec) return std::nullopt;
   std::optional<Recording> recording =
-      spec->simulate ? SimulateRecording(*spec, diagnostics)
-                     : ReadRecording(spec->recording, spec->robot.joints, diagnostics);
+      spec->simulate
+          ? SimulateRecording(*spec, diagnostics)
+          : ReadRecording(spec->recording, spec->robot.joints, spec->columns, diagnostics);
   if (!recording) return std::nullopt;
   CheckRecordingFits(*spec, *recording, diagnostics);
   return Input{std::move(*spec), std::move(*recording)};

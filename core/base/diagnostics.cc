@@ -2,6 +2,22 @@
 
 namespace dhcal {
 
+namespace {
+
+const char* Word(Severity severity) {
+  switch (severity) {
+    case Severity::kNote:
+      return "note: ";
+    case Severity::kWarning:
+      return "warning: ";
+    case Severity::kError:
+      break;
+  }
+  return "error: ";
+}
+
+}  // namespace
+
 std::string SourceLocation::ToString() const {
   std::string text = file;
   if (line > 0) text += ":" + std::to_string(line);
@@ -11,17 +27,24 @@ std::string SourceLocation::ToString() const {
 
 std::string Diagnostic::ToString() const {
   const std::string place = where.ToString();
-  const char* const kind = severity == Severity::kError ? "error: " : "warning: ";
-  return (place.empty() ? "" : place + ": ") + kind + message;
+  return (place.empty() ? "" : place + ": ") + Word(severity) + message;
+}
+
+void Diagnostics::Add(Diagnostic diagnostic) {
+  if (diagnostic.severity == Severity::kError) ++num_errors_;
+  all_.push_back(std::move(diagnostic));
 }
 
 void Diagnostics::Error(SourceLocation where, std::string message) {
-  all_.push_back({Severity::kError, std::move(where), std::move(message)});
-  ++num_errors_;
+  Add({Severity::kError, std::move(where), std::move(message)});
 }
 
 void Diagnostics::Warning(SourceLocation where, std::string message) {
-  all_.push_back({Severity::kWarning, std::move(where), std::move(message)});
+  Add({Severity::kWarning, std::move(where), std::move(message)});
+}
+
+void Diagnostics::Note(SourceLocation where, std::string message) {
+  Add({Severity::kNote, std::move(where), std::move(message)});
 }
 
 std::string Diagnostics::ToString() const {

@@ -18,7 +18,8 @@ struct SourceLocation {
   std::string ToString() const;
 };
 
-enum class Severity { kWarning, kError };
+/// A note says what was understood how; nothing is wrong.
+enum class Severity { kNote, kWarning, kError };
 
 struct Diagnostic {
   Severity severity = Severity::kError;
@@ -29,11 +30,13 @@ struct Diagnostic {
   std::string ToString() const;
 };
 
-/// Collects errors and warnings; the caller decides when to stop.
+/// Collects errors, warnings and notes; the caller decides when to stop.
 class Diagnostics {
  public:
   void Error(SourceLocation where, std::string message);
   void Warning(SourceLocation where, std::string message);
+  void Note(SourceLocation where, std::string message);
+  void Add(Diagnostic diagnostic);
 
   bool ok() const { return num_errors_ == 0; }
   int num_errors() const { return num_errors_; }

@@ -16,7 +16,11 @@ void FileErrors::Error(const SourceLocation& where, const std::string& message) 
 }
 
 void FileErrors::Warning(const SourceLocation& where, const std::string& message) {
-  warnings_.push_back({Severity::kWarning, where, message});
+  remarks_.push_back({Severity::kWarning, where, message});
+}
+
+void FileErrors::Note(const SourceLocation& where, const std::string& message) {
+  remarks_.push_back({Severity::kNote, where, message});
 }
 
 void FileErrors::SortAndCut() {
@@ -28,8 +32,8 @@ void FileErrors::SortAndCut() {
 
 void FileErrors::Report(Diagnostics* diagnostics) {
   SortAndCut();
-  for (const Diagnostic& warning : warnings_) diagnostics->Warning(warning.where, warning.message);
-  for (const Diagnostic& error : errors_) diagnostics->Error(error.where, error.message);
+  for (const Diagnostic& remark : remarks_) diagnostics->Add(remark);
+  for (const Diagnostic& error : errors_) diagnostics->Add(error);
   const std::size_t more = num_errors_ - errors_.size();
   if (more > 0) diagnostics->Error({file_}, fmt::format("... and {} more errors", more));
 }

@@ -19,11 +19,12 @@ class FileErrors {
 
   void Error(const SourceLocation& where, const std::string& message);
   void Warning(const SourceLocation& where, const std::string& message);
+  void Note(const SourceLocation& where, const std::string& message);
 
   bool ok() const { return num_errors_ == 0; }
   const std::string& file() const { return file_; }
 
-  /// Hands over the warnings, the first kMaxReported errors and the number of the rest.
+  /// Hands over the notes and warnings, the first kMaxReported errors and the number of the rest.
   void Report(Diagnostics* diagnostics);
 
  private:
@@ -31,7 +32,7 @@ class FileErrors {
 
   std::string file_;
   std::vector<Diagnostic> errors_;
-  std::vector<Diagnostic> warnings_;
+  std::vector<Diagnostic> remarks_;  // notes and warnings
   std::size_t num_errors_ = 0;
 };
 

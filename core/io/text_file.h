@@ -9,9 +9,12 @@
 
 namespace dhcal {
 
-/// The file's content as UTF-8 without its byte order mark. Adds an error and returns nothing
-/// when the file is missing, a folder, unreadable, empty, binary or not UTF-8.
-std::optional<std::string> ReadTextFile(const std::string& file, Diagnostics* diagnostics);
+/// The file's content as UTF-8 without its byte order mark; UTF-16 with one is converted, and
+/// `*utf16` says so. Adds an error and returns nothing when the file is missing, a folder,
+/// unreadable, empty, binary or neither UTF-8 nor UTF-16.
+std::optional<std::string> ReadTextFile(const std::string& file,
+                                        Diagnostics* diagnostics,
+                                        bool* utf16 = nullptr);
 
 }  // namespace dhcal
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/text.h"
+#include "core/io/angle_text.h"
 
 namespace dhcal {
 
@@ -92,6 +93,22 @@ std::optional<double> YamlValue::Number(const Range& range) const {
     return std::nullopt;
   }
   return number;
+}
+
+std::optional<double> YamlValue::Angle(double to_si) const {
+  const std::optional<double> pi =
+      node_.IsScalar() && node_.Tag() != "!" ? ParsePi(node_.Scalar()) : std::nullopt;
+  if (pi && to_si == 1.0) return pi;
+  if (pi) {
+    Error(
+        fmt::format("is {}, but a number of degrees is expected; write {}, or end the key in _rad",
+                    Describe(),
+                    *pi / to_si));
+    return std::nullopt;
+  }
+  const std::optional<double> number = Number();
+  if (!number) return std::nullopt;
+  return *number * to_si;
 }
 
 std::optional<int> YamlValue::Integer(int low, int high) const {

@@ -63,6 +63,8 @@ class YamlValue {
   void Warning(const std::string& what) const;
 
   std::optional<double> Number(const Range& range = {}) const;
+  /// An angle in SI [rad]; where it is written in radians (`to_si` 1), "pi/2" may be used, too.
+  std::optional<double> Angle(double to_si) const;
   std::optional<int> Integer(int low, int high) const;
   std::optional<std::uint64_t> Unsigned() const;
   std::optional<bool> Boolean() const;

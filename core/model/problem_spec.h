@@ -15,6 +15,7 @@
 #include "core/model/effect_request.h"
 #include "core/model/joint_numbers.h"
 #include "core/model/measurement_kind.h"
+#include "core/model/recording.h"
 #include "core/model/robot.h"
 
 namespace dhcal {
@@ -98,6 +99,7 @@ struct ProblemSpec {
   MeasurementSpec measurement;
   std::string recording;  // resolved path; empty when simulated
   SourceLocation recording_where;
+  std::vector<ColumnAlias> columns;  // of the recording
   ParameterSpec parameters;
   SolverSpec solver;
   DiagnosisSpec diagnosis;

@@ -7,7 +7,16 @@
 
 #include <Eigen/Core>
 
+#include "core/base/diagnostics.h"
+
 namespace dhcal {
+
+/// A column of a file that stands for one of ours, as the problem file says.
+struct ColumnAlias {
+  std::string ours;    // "q1_rad"
+  std::string theirs;  // as in the file's header; its number where the file has none
+  SourceLocation ours_where, theirs_where;
+};
 
 /// A numeric column that the program has no name for; kept as a possible driver of a mismatch.
 struct ExtraColumn {

@@ -44,9 +44,9 @@ ProblemSpec LoadProblem(const std::string& file) {
 
 Recording RecordingOf(const ProblemSpec& spec) {
   Diagnostics diagnostics;
-  const auto recording = spec.simulate
-                             ? SimulateRecording(spec, &diagnostics)
-                             : ReadRecording(spec.recording, spec.robot.joints, &diagnostics);
+  const auto recording =
+      spec.simulate ? SimulateRecording(spec, &diagnostics)
+                    : ReadRecording(spec.recording, spec.robot.joints, spec.columns, &diagnostics);
   CHECK(recording.has_value()) << diagnostics.ToString();
   return *recording;
 }

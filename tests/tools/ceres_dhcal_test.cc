@@ -196,6 +196,17 @@ TEST_F(Program, WrongFlagsSayWhatToDo) {
   EXPECT_THAT(method.err, HasSubstr("svd_gauss_newton"));
 }
 
+TEST_F(Program, ImportPrintsColumnsForTheProblemFile) {
+  Write("rows.csv", "J1;J2;x [mm];y [mm];z [mm]\n100,5;2;3;4;5\n-60;20;3;4;5\n");
+  const Outcome outcome = Run("--import rows.csv");
+  EXPECT_EQ(outcome.exit_status, 0);
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("columns:\n  q1_deg: J1"), HasSubstr("x_mm: \"x [mm]\"")));
+  EXPECT_THAT(outcome.err,
+              HasSubstr("note: read with semicolons between cells and decimal commas"));
+  EXPECT_EQ(Run("--import nowhere.csv").exit_status, 2);
+}
+
 TEST_F(Program, HelpAndVersionExitWithZero) {
   const Outcome help = Run("--help");
   EXPECT_EQ(help.exit_status, 0);

@@ -9,7 +9,17 @@ find_package(glog REQUIRED)
 find_package(yaml-cpp 0.7 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(fmt 9 REQUIRED)
-find_package(Boost 1.74 REQUIRED) # headers only: Boost.Math
+find_package(Boost 1.74 REQUIRED) # headers only: Boost.Math, Boost.Locale's UTF conversion
+
+# matio ships no CMake files.
+find_path(MATIO_INCLUDE_DIR matio.h REQUIRED)
+find_library(MATIO_LIBRARY matio REQUIRED)
+if(NOT TARGET matio::matio)
+  add_library(matio::matio UNKNOWN IMPORTED)
+  set_target_properties(
+    matio::matio PROPERTIES IMPORTED_LOCATION "${MATIO_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES
+                                                                 "${MATIO_INCLUDE_DIR}")
+endif()
 
 # yaml-cpp has its namespaced target only since 0.8.
 if(NOT TARGET yaml-cpp::yaml-cpp)
@@ -21,6 +31,7 @@ set(DHCAL_DEPENDENCIES
     Eigen3::Eigen
     glog::glog
     yaml-cpp::yaml-cpp
+    matio::matio
     nlohmann_json::nlohmann_json
     fmt::fmt
     Boost::headers

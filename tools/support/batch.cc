@@ -69,8 +69,9 @@ std::optional<Job> Prepare(const CommandLine& command_line,
   if (!spec) return std::nullopt;
   ApplyOverrides(command_line, &*spec, diagnostics);
   std::optional<Recording> recording =
-      spec->simulate ? SimulateRecording(*spec, diagnostics)
-                     : ReadRecording(spec->recording, spec->robot.joints, diagnostics);
+      spec->simulate
+          ? SimulateRecording(*spec, diagnostics)
+          : ReadRecording(spec->recording, spec->robot.joints, spec->columns, diagnostics);
   if (!recording) return std::nullopt;
   CheckRecordingFits(*spec, *recording, diagnostics);
   if (!diagnostics->ok()) return std::nullopt;
@@ -163,11 +164,7 @@ int RunBatch(const CommandLine& command_line) {
     Diagnostics of_file;
     std::optional<Job> job = Prepare(command_line, file, &of_file);
     for (const Diagnostic& d : of_file.all()) {
-      if (d.severity == Severity::kError) {
-        diagnostics.Error(d.where, d.message);
-      } else if (!command_line.quiet) {
-        diagnostics.Warning(d.where, d.message);
-      }
+      if (d.severity == Severity::kError || !command_line.quiet) diagnostics.Add(d);
     }
     if (job && of_file.ok()) jobs.push_back(std::move(*job));
   }

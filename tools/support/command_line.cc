@@ -17,6 +17,7 @@ DEFINE_string(data_dir, "", "what ${DHCAL_DATA} in a problem file stands for");
 DEFINE_string(method, "", "overrides solver.method of the file");
 DEFINE_string(singular_value_tolerance, "", "overrides solver.singular_value_tolerance");
 DEFINE_string(diagnosis, "", "overrides diagnosis.run of the file");
+DEFINE_string(import, "", "a table whose columns are guessed");
 DEFINE_bool(quiet, false, "print nothing but errors");
 DEFINE_bool(try_fix, false, "run on with the cure where the files are wrong");
 
@@ -39,6 +40,8 @@ constexpr char kHelp[] =
   --diagnosis D     auto | always | never: look for left-out physics, instead of the file's
   --try_fix         where the files cannot belong together and one cure is certain, run on as if
                     they had been corrected; the files themselves stay as they are
+  --import FILE     print which columns a recording probably has, as lines for the problem file to
+                    correct; with --problem for the joints of that robot
   --list_effects    print the library of physical effects
   --quiet           print nothing but errors
   --version, --help
@@ -104,7 +107,7 @@ const std::set<std::string>& Switches() {
 /// Flags that take a text.
 const std::set<std::string>& Texts() {
   static const std::set<std::string> names = {
-      "out", "data_dir", "method", "singular_value_tolerance", "diagnosis"};
+      "out", "data_dir", "method", "singular_value_tolerance", "diagnosis", "import"};
   return names;
 }
 
@@ -165,7 +168,10 @@ CommandLineStatus ParseCommandLine(int argc, char** argv, CommandLine* command_l
       return Refuse(error);
     }
   }
-  if (command_line->problems.empty()) return Refuse("no problem given; say --problem FILE.yaml");
+  command_line->import = FLAGS_import;
+  if (command_line->problems.empty() && command_line->import.empty()) {
+    return Refuse("no problem given; say --problem FILE.yaml");
+  }
   command_line->out = FLAGS_out;
   command_line->data_dir = FLAGS_data_dir;
   if (command_line->data_dir.empty()) {

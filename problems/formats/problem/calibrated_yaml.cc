@@ -119,12 +119,21 @@ YAML::Node TargetsNode(const std::vector<Target>& targets, const YAML::Node& old
   throw std::runtime_error("the problem file has changed since it was read");
 }
 
+bool IsFixedRow(const YAML::Node& row) {
+  const YAML::Node type = Child(row, "type");
+  return type.IsScalar() && type.Scalar() == "fixed";
+}
+
+/// Fixed rows are part of base and tool by now.
 YAML::Node JointsNode(const RobotModel& calibrated, const YAML::Node& old) {
-  if (!old.IsSequence() || old.size() != calibrated.joints.size()) ThrowChanged();
+  if (!old.IsSequence()) ThrowChanged();
   YAML::Node joints(YAML::NodeType::Sequence);
-  for (std::size_t i = 0; i < old.size(); ++i) {
-    joints.push_back(JointNode(calibrated.joints[i], old[i]));
+  for (const YAML::Node& row : old) {
+    if (IsFixedRow(row)) continue;
+    if (joints.size() == calibrated.joints.size()) ThrowChanged();
+    joints.push_back(JointNode(calibrated.joints[joints.size()], row));
   }
+  if (joints.size() != calibrated.joints.size()) ThrowChanged();
   return joints;
 }
 
@@ -133,15 +142,24 @@ bool Needed(const YAML::Node& old, const Eigen::Isometry3d& X, const std::vector
   return !old.IsNull() || !runs.empty() || !X.isApprox(Eigen::Isometry3d::Identity(), 0.0);
 }
 
+YAML::Node MassNode(const LinkMass& link) {
+  YAML::Node node = FlowMap();
+  node["mass_kg"] = Digits(link.mass);
+  node["com_m"] = FlowList(link.p_LC);
+  return node;
+}
+
 YAML::Node LinksNode(const std::vector<LinkMass>& links) {
   YAML::Node list(YAML::NodeType::Sequence);
-  for (const LinkMass& link : links) {
-    YAML::Node node = FlowMap();
-    node["mass_kg"] = Digits(link.mass);
-    node["com_m"] = FlowList(link.p_LC);
-    list.push_back(node);
-  }
+  for (const LinkMass& link : links) list.push_back(MassNode(link));
   return list;
+}
+
+/// Gravity and payload are given in the frames at the ends, which fixed rows had moved.
+void MoveToEnds(const RobotModel& calibrated, const YAML::Node& old_joints, YAML::Node* robot) {
+  if (std::none_of(old_joints.begin(), old_joints.end(), IsFixedRow)) return;
+  (*robot)["gravity_m_s2"] = FlowList(calibrated.gravity_B);
+  if (!Child(*robot, "payload").IsNull()) (*robot)["payload"] = MassNode(calibrated.payload);
 }
 
 bool SameMasses(const std::vector<LinkMass>& a, const std::vector<LinkMass>& b) {
@@ -160,6 +178,7 @@ YAML::Node RobotNode(const RobotModel& calibrated, bool masses_changed, const YA
     if (key != "units") robot[key] = entry.second;
   }
   robot["joints"] = JointsNode(calibrated, Child(old, "joints"));
+  MoveToEnds(calibrated, Child(old, "joints"), &robot);
   const YAML::Node base = Child(old, "base");
   if (Needed(base, calibrated.X_WB, calibrated.base_of_run)) {
     robot["base"] = FrameNode(calibrated.X_WB, calibrated.base_of_run, base);

@@ -81,6 +81,15 @@ void CheckSchema(YamlMap* map) {
                            kSchema));
 }
 
+/// `columns: {q1_rad: shoulder_pan_joint}`, checked when the recording is read.
+void ReadColumns(const YamlValue& value, std::vector<ColumnAlias>* columns) {
+  YamlMap map(value);
+  for (const auto& [ours, theirs] : map.AllEntries()) {
+    const std::optional<std::string> name = theirs.Text();
+    if (name) columns->push_back({ours, *name, theirs.key_where(), theirs.where()});
+  }
+}
+
 /// Exactly one of `recording` and `simulate`.
 void ReadSourceOfRows(YamlMap* map, const std::string& data_dir, ProblemSpec* spec) {
   const std::optional<YamlValue> recording = map->Find("recording");
@@ -93,6 +102,11 @@ void ReadSourceOfRows(YamlMap* map, const std::string& data_dir, ProblemSpec* sp
   if (simulate) {
     spec->simulate.emplace();
     ReadSimulation(*simulate, spec->robot, spec->measurement.kind, resolve, &*spec->simulate);
+  }
+  if (const std::optional<YamlValue> columns = map->Find("columns")) {
+    ReadColumns(*columns, &spec->columns);
+    if (simulate)
+      columns->Error("names columns of a 'recording', which this file has not; remove it");
   }
   if (recording && simulate) {
     recording->Error("stands beside 'simulate'; keep one of them");
@@ -129,13 +143,7 @@ void AddSorted(const Diagnostics& from, Diagnostics* to) {
   std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return std::tie(a.where.line, a.where.column) < std::tie(b.where.line, b.where.column);
   });
-  for (Diagnostic& diagnostic : all) {
-    if (diagnostic.severity == Severity::kError) {
-      to->Error(std::move(diagnostic.where), std::move(diagnostic.message));
-    } else {
-      to->Warning(std::move(diagnostic.where), std::move(diagnostic.message));
-    }
-  }
+  for (Diagnostic& diagnostic : all) to->Add(std::move(diagnostic));
 }
 
 }  // namespace

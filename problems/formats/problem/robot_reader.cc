@@ -11,6 +11,7 @@
 
 #include "core/base/units.h"
 #include "core/io/yaml_map.h"
+#include "core/kinematics/dh_chain.h"
 #include "core/model/joint_numbers.h"
 #include "problems/formats/problem/pose_reader.h"
 
@@ -39,18 +40,24 @@ DhUnits ReadUnits(YamlMap* map) {
 }
 
 /// Reads one DH entry [rad] or [m]. A size that no robot has is most often a unit mistaken.
-void ReadDhEntry(YamlMap* row,
-                 const std::string& stem,
-                 const UnitSpellings& units,
-                 double unusual,
-                 double* entry) {
-  const std::optional<UnitValue> found = row->Find(stem, units);
+void ReadDhEntry(YamlMap* row, const JointNumber& number, const DhUnits& units, double* entry) {
+  constexpr double kUnusualAngle = 4 * kPi;  // [rad]
+  constexpr double kUnusualLength = 100;     // [m]
+  const bool angle = number.unit == Unit::kRadian;
+  const std::optional<UnitValue> found = row->Find(number.name, angle ? units.angle : units.length);
   if (!found) return;
-  const std::optional<double> number = found->value.Number();
-  if (!number) return;
-  *entry = *number * found->to_si;
-  if (std::abs(*entry) > unusual) {
-    found->value.Warning(fmt::format("is {}, which is unusually large; check its unit", *number));
+  if (angle) {
+    const std::optional<double> read = found->value.Angle(found->to_si);
+    if (!read) return;
+    *entry = *read;
+  } else {
+    const std::optional<double> read = found->value.Number();
+    if (!read) return;
+    *entry = *read * found->to_si;
+  }
+  if (std::abs(*entry) > (angle ? kUnusualAngle : kUnusualLength)) {
+    found->value.Warning(
+        fmt::format("is {}, which is unusually large; check its unit", *entry / found->to_si));
   }
 }
 
@@ -66,46 +73,101 @@ void ReadSign(YamlMap* row, double* sign) {
   }
 }
 
-JointRow ReadJoint(const YamlValue& value, int joint_idx, const DhUnits& units) {
-  constexpr double kUnusualAngle = 4 * kPi;  // [rad]
-  constexpr double kUnusualLength = 100;     // [m]
+/// A row of `joints`: one that moves, or one that only carries on from there.
+struct ReadRow {
   JointRow row;
-  row.name = "J" + std::to_string(joint_idx + 1);
-  row.where = value.where();
+  bool fixed = false;
+};
+
+enum class RowType { kRevolute, kPrismatic, kFixed };
+
+ReadRow ReadJoint(const YamlValue& value, int joint_idx, const DhUnits& units) {
+  ReadRow read;
+  read.row.name = "J" + std::to_string(joint_idx + 1);
+  read.row.where = value.where();
   YamlMap map(value);
-  map.Read("name", &row.name);
-  map.ReadChoice<JointType>(
-      "type",
-      {{"revolute", JointType::kRevolute}, {"prismatic", JointType::kPrismatic}},
-      &row.type);
+  map.Read("name", &read.row.name);
+  RowType type = RowType::kRevolute;
+  map.ReadChoice<RowType>("type",
+                          {{"revolute", RowType::kRevolute},
+                           {"prismatic", RowType::kPrismatic},
+                           {"fixed", RowType::kFixed}},
+                          &type);
+  read.fixed = type == RowType::kFixed;
+  if (type == RowType::kPrismatic) read.row.type = JointType::kPrismatic;
   for (const JointNumber& number : kJointNumbers) {
-    const bool angle = number.unit == Unit::kRadian;
-    ReadDhEntry(&map,
-                number.name,
-                angle ? units.angle : units.length,
-                angle ? kUnusualAngle : kUnusualLength,
-                &(row.*number.value));
+    ReadDhEntry(&map, number, units, &(read.row.*number.value));
   }
-  ReadSign(&map, &row.sign);
-  return row;
+  if (!read.fixed) ReadSign(&map, &read.row.sign);
+  return read;
 }
 
-void ReadJoints(YamlMap* map, const DhUnits& units, RobotModel* robot) {
+/// The pose that a row makes with its joint at zero.
+Eigen::Isometry3d PoseOf(const JointRow& row, DhConvention convention) {
+  RobotModel robot;
+  robot.convention = convention;
+  robot.joints = {row};
+  return DhChain(robot).LinkFrames(Eigen::VectorXd::Zero(1)).back();
+}
+
+/// Fixed rows before the first joint and behind the last one: they become part of base and tool.
+struct FixedEnds {
+  Eigen::Isometry3d before = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d behind = Eigen::Isometry3d::Identity();
+  bool any = false;
+};
+
+FixedEnds ReadJoints(YamlMap* map, const DhUnits& units, RobotModel* robot) {
+  FixedEnds ends;
   const std::optional<YamlValue> value = map->Require("joints");
-  if (!value) return;
+  if (!value) return ends;
   const std::optional<std::vector<YamlValue>> rows = value->List();
-  if (!rows) return;
-  if (rows->empty()) value->Error("is an empty list, but a robot has at least one joint");
+  if (!rows) return ends;
   std::map<std::string, int> number_of_name;
-  for (const YamlValue& row : *rows) {
+  std::optional<YamlValue> fixed_behind;
+  for (const YamlValue& item : *rows) {
     const int idx = robot->num_joints();
-    robot->joints.push_back(ReadJoint(row, idx, units));
+    const ReadRow read = ReadJoint(item, idx, units);
+    if (read.fixed) {
+      const Eigen::Isometry3d X = PoseOf(read.row, robot->convention);
+      Eigen::Isometry3d* const end = idx == 0 ? &ends.before : &ends.behind;
+      *end = *end * X;
+      ends.any = true;
+      if (idx > 0) fixed_behind = item;
+      continue;
+    }
+    if (fixed_behind) {
+      fixed_behind->Error(
+          "is a fixed row between joints; put its angles and lengths into the rows beside it "
+          "(fixed "
+          "rows may stand before the first joint and behind the last one)");
+      fixed_behind.reset();
+    }
+    robot->joints.push_back(read.row);
     const auto [first, is_new] = number_of_name.emplace(robot->joints.back().name, idx + 1);
     if (!is_new) {
-      row.Error(fmt::format(
+      item.Error(fmt::format(
           "has the name '{}' of joint {}; give each joint its own", first->first, first->second));
     }
   }
+  if (robot->joints.empty()) {
+    value->Error(rows->empty() ? "is an empty list, but a robot has at least one joint"
+                               : "has fixed rows only, but a robot has at least one joint");
+  }
+  return ends;
+}
+
+/// Base, tool, targets and payload start from the first and last joint's frames.
+void FoldEnds(const FixedEnds& ends, RobotModel* robot) {
+  if (!ends.any) return;
+  robot->X_WB = robot->X_WB * ends.before;
+  for (RunFrame& frame : robot->base_of_run) frame.X = frame.X * ends.before;
+  // Gravity is given in the frame of the base that the file has.
+  robot->gravity_B = ends.before.linear().transpose() * robot->gravity_B;
+  robot->X_TQ = ends.behind * robot->X_TQ;
+  for (RunFrame& frame : robot->tool_of_run) frame.X = ends.behind * frame.X;
+  for (Target& target : robot->targets) target.X_TQ = ends.behind * target.X_TQ;
+  robot->payload.p_LC = ends.behind * robot->payload.p_LC;
 }
 
 void ReadTargets(YamlMap* map, RobotModel* robot) {
@@ -155,7 +217,7 @@ void ReadRobot(const YamlValue& value, RobotModel* robot) {
       "convention",
       {{"standard", DhConvention::kStandard}, {"modified", DhConvention::kModified}},
       &robot->convention);
-  ReadJoints(&map, ReadUnits(&map), robot);
+  const FixedEnds ends = ReadJoints(&map, ReadUnits(&map), robot);
   if (const std::optional<YamlValue> base = map.Find("base")) {
     ReadFrame(*base, &robot->X_WB, &robot->base_per_run, &robot->base_of_run);
   }
@@ -167,6 +229,7 @@ void ReadRobot(const YamlValue& value, RobotModel* robot) {
   if (const std::optional<YamlValue> payload = map.Find("payload")) {
     robot->payload = ReadMass(*payload);
   }
+  FoldEnds(ends, robot);
 }
 
 }  // namespace dhcal

@@ -22,10 +22,6 @@ std::string NotANumber(std::string_view cell) {
   return message;
 }
 
-bool IsBlankOrNan(std::string_view cell) {
-  return cell.empty() || cell == "nan" || cell == "NaN" || cell == "NAN";
-}
-
 }  // namespace
 
 const NumberRule kAnyNumber = {"a number", [](double) { return true; }};
@@ -43,9 +39,12 @@ void CellReader::ReadNumbers(int column_idx,
                              double to_si,
                              const NumberRule& rule,
                              Eigen::Ref<Eigen::VectorXd> numbers) const {
+  numbers.setConstant(kBlank);
+  if (const TableDoubt& doubt = table_.doubt(column_idx); !doubt.message.empty()) {
+    return Error(doubt.row_idx, column_idx, doubt.message);
+  }
   for (int row = 0; row < table_.num_rows(); ++row) {
     const std::string_view cell = table_.cell(row, column_idx);
-    numbers[row] = kBlank;
     if (cell.empty()) continue;
     const std::optional<double> number = ParseDouble(cell);
     if (!number) {
@@ -62,6 +61,21 @@ Eigen::VectorXd CellReader::ReadNumbers(int column_idx) const {
   Eigen::VectorXd numbers(table_.num_rows());
   ReadNumbers(column_idx, 1.0, kAnyNumber, numbers);
   return numbers;
+}
+
+Eigen::MatrixXd CellReader::ReadNumbers(const FieldColumns& field, const NumberRule& rule) const {
+  const int num_components = static_cast<int>(field.column.size());
+  Eigen::MatrixXd numbers = Eigen::MatrixXd::Constant(table_.num_rows(), num_components, kBlank);
+  for (int i = 0; i < num_components; ++i) {
+    if (field.column[i] < 0) continue;
+    ReadNumbers(field.column[i], field.to_si[i], rule, numbers.col(i));
+  }
+  return numbers;
+}
+
+Eigen::MatrixXd CellReader::ReadCoordinates(const FieldColumns& field) const {
+  CheckAllOrNone(field.column);
+  return ReadNumbers(field, kAnyNumber);
 }
 
 std::vector<int> CellReader::ReadLabels(int column_idx,
@@ -84,9 +98,10 @@ std::vector<int> CellReader::ReadLabels(int column_idx,
 
 bool CellReader::IsNumeric(int column_idx) const {
   bool any = false;
+  if (!table_.doubt(column_idx).message.empty()) return false;
   for (int row = 0; row < table_.num_rows(); ++row) {
     const std::string_view cell = table_.cell(row, column_idx);
-    if (IsBlankOrNan(cell)) continue;
+    if (cell.empty()) continue;
     if (!ParseDouble(cell)) return false;
     any = true;
   }
@@ -95,7 +110,7 @@ bool CellReader::IsNumeric(int column_idx) const {
 
 std::optional<int> CellReader::FirstBlankLine(int column_idx) const {
   for (int row = 0; row < table_.num_rows(); ++row) {
-    if (IsBlankOrNan(table_.cell(row, column_idx))) return table_.line(row);
+    if (table_.cell(row, column_idx).empty()) return table_.line(row);
   }
   return std::nullopt;
 }

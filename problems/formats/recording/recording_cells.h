@@ -8,8 +8,9 @@
 
 #include <Eigen/Core>
 
-#include "core/io/csv.h"
+#include "core/io/cell_table.h"
 #include "core/io/file_errors.h"
+#include "problems/formats/recording/recording_layout.h"
 
 namespace dhcal {
 
@@ -27,7 +28,7 @@ extern const NumberRule kSign;  // -1, 0 or 1
 /// Reports a wrong cell with its place and the name of its column.
 class CellReader {
  public:
-  CellReader(const CsvTable& table, FileErrors* errors) : table_(table), errors_(errors) {}
+  CellReader(const CellTable& table, FileErrors* errors) : table_(table), errors_(errors) {}
 
   /// The column's numbers times `to_si`; blank and (an error) wrong cells are NaN.
   void ReadNumbers(int column_idx,
@@ -35,6 +36,10 @@ class CellReader {
                    const NumberRule& rule,
                    Eigen::Ref<Eigen::VectorXd> numbers) const;
   Eigen::VectorXd ReadNumbers(int column_idx) const;
+  /// The numbers of a field, in SI, one column per component; those without a column are NaN.
+  Eigen::MatrixXd ReadNumbers(const FieldColumns& field, const NumberRule& rule) const;
+  /// Coordinates that belong together: a row has all or (an error) none of them.
+  Eigen::MatrixXd ReadCoordinates(const FieldColumns& field) const;
 
   /// Labels as indices into `names`, in the order of appearance. A blank one is -1, and an error
   /// unless it may be.
@@ -42,12 +47,11 @@ class CellReader {
                               bool may_be_blank,
                               std::vector<std::string>* names) const;
 
-  /// Whether the cells that are not blank are numbers, and there are some. "nan" counts as blank,
-  /// since other programs write blanks so.
+  /// Whether the cells that are not blank are numbers, and there are some.
   bool IsNumeric(int column_idx) const;
-  /// Line of the first cell that is blank or "nan"; nothing when there is none.
+  /// Line of the first cell that is blank; nothing when there is none.
   std::optional<int> FirstBlankLine(int column_idx) const;
-  /// Numbers of a column that `IsNumeric`; blank and "nan" cells are NaN.
+  /// Numbers of a column that `IsNumeric`; blank cells are NaN.
   Eigen::VectorXd NumbersOrNaN(int column_idx) const;
 
   /// Cells of a column that needs a number in every row.
@@ -58,7 +62,7 @@ class CellReader {
   void Error(int row_idx, int column_idx, const std::string& what) const;
 
  private:
-  const CsvTable& table_;
+  const CellTable& table_;
   FileErrors* errors_;
 };
 

@@ -58,6 +58,36 @@ void AddCoordinates(std::vector<KnownColumn>* columns) {
   }
 }
 
+void AddAngles(const std::vector<std::string>& stems,
+               RecordingField field,
+               std::vector<KnownColumn>* columns) {
+  for (int i = 0; i < static_cast<int>(stems.size()); ++i) {
+    Add(stems[i], kAngle, field, i, columns);
+  }
+}
+
+void AddOrientations(std::vector<KnownColumn>* columns) {
+  AddAngles({"rotvec_x", "rotvec_y", "rotvec_z"}, RecordingField::kRotationVector, columns);
+  AddAngles({"roll", "pitch", "yaw"}, RecordingField::kRpy, columns);
+  AddAngles({"a", "b", "c"}, RecordingField::kAbc, columns);
+  AddAngles({"euler_xyz_x", "euler_xyz_y", "euler_xyz_z"}, RecordingField::kEulerXyz, columns);
+  for (int i = 0; i < 3; ++i) {
+    const std::string row = "m" + std::to_string(i + 1);
+    for (int j = 0; j < 3; ++j) {
+      Add(row + std::to_string(j + 1), kNoUnit, RecordingField::kMatrix, 3 * i + j, columns);
+    }
+    Add(row + "4", kLength, RecordingField::kPosition, i, columns);
+  }
+  for (int j = 0; j < 4; ++j) {
+    Add("m4" + std::to_string(j + 1), kNoUnit, RecordingField::kMatrixLastRow, j, columns);
+  }
+}
+
+bool IsOrientation(RecordingField field) {
+  const std::vector<RecordingField>& fields = OrientationFields();
+  return std::find(fields.begin(), fields.end(), field) != fields.end();
+}
+
 /// "q12_deg" -> "q", "12", "_deg"; the number may be empty.
 struct NameParts {
   std::string letters, number, ending;
@@ -87,10 +117,21 @@ bool LooksLikeUnit(const std::string& ending) {
 
 }  // namespace
 
+const std::vector<RecordingField>& OrientationFields() {
+  static const std::vector<RecordingField> fields = {RecordingField::kQuaternion,
+                                                     RecordingField::kRotationVector,
+                                                     RecordingField::kRpy,
+                                                     RecordingField::kAbc,
+                                                     RecordingField::kEulerXyz,
+                                                     RecordingField::kMatrix};
+  return fields;
+}
+
 std::vector<KnownColumn> KnownColumns(const std::vector<JointRow>& joints) {
   std::vector<KnownColumn> columns;
   AddJointColumns(joints, &columns);
   AddCoordinates(&columns);
+  AddOrientations(&columns);
   Add("distance", kLength, RecordingField::kDistance, 0, &columns);
   Add("sigma", kLength, RecordingField::kSigma, 0, &columns);
   Add("t", {{"_s", 1.0}}, RecordingField::kTime, 0, &columns);
@@ -115,7 +156,9 @@ std::string MistakeInName(const std::string& name,
   const std::string stem = parts.letters + parts.number;
   std::vector<std::string> expected;
   for (const KnownColumn& column : known) {
-    if (column.stem == stem) expected.push_back(column.name);
+    // "a", "roll" and their like may well be somebody's own.
+    const bool mistaken = column.stem == stem && !IsOrientation(column.field);
+    if (mistaken) expected.push_back(column.name);
   }
   if (!expected.empty()) {
     return fmt::format(

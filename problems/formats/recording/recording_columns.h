@@ -14,6 +14,13 @@ enum class RecordingField {
   kPosition,
   kDisplacement,
   kQuaternion,
+  // The orientation in other forms; each is converted to the quaternion.
+  kRotationVector,
+  kRpy,            // about the fixed axes x, y, z in this order: Rz(yaw) Ry(pitch) Rx(roll)
+  kAbc,            // KUKA's: Rz(A) Ry(B) Rx(C)
+  kEulerXyz,       // about the turning axes x, y, z in this order: Rx Ry Rz
+  kMatrix,         // 3 x 3, row by row
+  kMatrixLastRow,  // 0 0 0 1 of a homogeneous matrix
   kDistance,
   kSigma,
   kTime,
@@ -39,6 +46,9 @@ struct KnownColumn {
   int component = 0;  // joint or coordinate, from 0
   double to_si = 1;
 };
+
+/// The fields that hold an orientation.
+const std::vector<RecordingField>& OrientationFields();
 
 /// Every name that the recording of a robot with these joints may have.
 std::vector<KnownColumn> KnownColumns(const std::vector<JointRow>& joints);

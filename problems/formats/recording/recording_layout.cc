@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/base/text.h"
+#include "problems/formats/recording/column_names.h"
 
 namespace dhcal {
 
@@ -14,10 +15,15 @@ namespace {
 /// The search behind FindColumns.
 class ColumnFinder {
  public:
-  ColumnFinder(const CsvTable& table, const std::vector<JointRow>& joints, FileErrors* errors)
+  ColumnFinder(const CellTable& table,
+               const std::vector<JointRow>& joints,
+               const std::vector<ColumnAlias>& aliases,
+               FileErrors* errors)
       : table_(table),
+        joints_(joints),
         num_joints_(static_cast<int>(joints.size())),
         known_(KnownColumns(joints)),
+        names_(NameColumns(table, joints, known_, aliases, errors)),
         errors_(errors) {}
 
   RecordingLayout Find();
@@ -30,15 +36,24 @@ class ColumnFinder {
   FieldColumns* Field(RecordingField field);
   void CheckComplete(RecordingField field);
   void CheckJoints();
+  void CheckOrientation();
+  /// A lone "yaw_deg" is somebody's own column.
+  void DropPartOfAngles(RecordingField field);
+  /// Asks for the header by an example with as many columns.
+  std::string HeaderMissing() const;
+  /// A name of one component: "q3_deg".
+  std::string SpellingOf(RecordingField field, int component) const;
   /// The spellings of one component: "'q3_deg' or 'q3_rad'".
   std::string SpellingsOf(RecordingField field, int component) const;
   std::string NearestUnknown(const std::string& name) const;
   /// A place for what the header lacks.
   SourceLocation HeaderWhere() const { return table_.NameWhere(0); }
 
-  const CsvTable& table_;
+  const CellTable& table_;
+  const std::vector<JointRow>& joints_;
   const int num_joints_;
   const std::vector<KnownColumn> known_;
+  const ColumnNames names_;
   FileErrors* errors_;
   RecordingLayout layout_;
   std::map<std::string, int> column_of_name_;
@@ -64,7 +79,7 @@ void ColumnFinder::PlaceKnown(int column_idx, const KnownColumn& known) {
     errors_->Error(table_.NameWhere(column_idx),
                    fmt::format("columns '{}' and '{}' give the same quantity; keep one of them",
                                table_.name(place),
-                               known.name));
+                               table_.name(column_idx)));
     return;
   }
   place = column_idx;
@@ -86,7 +101,9 @@ void ColumnFinder::FindHints() {
     if (column_of_name_.count(known.name) == 0) absent.push_back(known.name);
   }
   for (const int column_idx : layout_.unknown) {
-    layout_.hints.push_back(NearestName(table_.name(column_idx), absent));
+    // Of a column that another one stands for, or that was asked about, enough is said.
+    const bool said = names_.ours[column_idx].empty();
+    layout_.hints.push_back(said ? "" : NearestName(table_.name(column_idx), absent));
   }
 }
 
@@ -98,19 +115,32 @@ void ColumnFinder::Place(int column_idx) {
                    fmt::format("column '{}' stands twice; keep one of them", Printable(name)));
     return;
   }
+  const std::string& ours = names_.ours[column_idx];
   const auto known = std::find_if(
-      known_.begin(), known_.end(), [&](const KnownColumn& column) { return column.name == name; });
-  if (known == known_.end()) {
+      known_.begin(), known_.end(), [&](const KnownColumn& column) { return column.name == ours; });
+  if (ours.empty()) {
+    layout_.unknown.push_back(column_idx);
+  } else if (known == known_.end()) {
     PlaceUnknown(column_idx, name);
   } else {
     PlaceKnown(column_idx, *known);
   }
 }
 
+std::string ColumnFinder::SpellingOf(RecordingField field, int component) const {
+  const auto known = std::find_if(known_.begin(), known_.end(), [&](const KnownColumn& column) {
+    return column.field == field && column.component == component;
+  });
+  return known->name;
+}
+
 std::string ColumnFinder::SpellingsOf(RecordingField field, int component) const {
   std::vector<std::string> names;
+  std::string stem;  // the first: a position's, not that of a matrix
   for (const KnownColumn& known : known_) {
-    if (known.field == field && known.component == component) names.push_back(known.name);
+    if (known.field != field || known.component != component) continue;
+    if (stem.empty()) stem = known.stem;
+    if (known.stem == stem) names.push_back(known.name);
   }
   return QuotedList(names);
 }
@@ -135,9 +165,42 @@ void ColumnFinder::CheckComplete(RecordingField field) {
                  fmt::format("column '{}' needs {} beside it", table_.name(present), missing));
 }
 
+std::string ColumnFinder::HeaderMissing() const {
+  const char separator = table_.format().separator;
+  std::string header, by_number;
+  for (int i = 0; i < table_.num_columns(); ++i) {
+    const int coordinate = i - num_joints_;
+    std::string name = fmt::format("column{}", i + 1);
+    if (coordinate < 0) {
+      name = SpellingOf(RecordingField::kJoint, i);
+    } else if (coordinate < 3) {
+      name = SpellingOf(RecordingField::kPosition, coordinate);
+    } else if (coordinate < 7 && table_.num_columns() >= num_joints_ + 7) {
+      name = SpellingOf(RecordingField::kQuaternion, coordinate - 3);
+    }
+    if (i > 0) header += separator;
+    header += name;
+    if (coordinate < 3) {
+      by_number += fmt::format("{}{}: {}", i == 0 ? "" : ", ", name, i + 1);
+    }
+  }
+  return fmt::format(
+      "row 1 holds numbers: the header is missing; write a line above that names the {} columns, "
+      "such as {}, or number them in the problem file, such as columns: {{{}}}",
+      table_.num_columns(),
+      header,
+      by_number);
+}
+
 void ColumnFinder::CheckJoints() {
   const std::vector<int> columns = Field(RecordingField::kJoint)->column;
   const auto num_missing = std::count(columns.begin(), columns.end(), -1);
+  if (num_missing > 0 && !table_.has_header()) {
+    return errors_->Error(HeaderWhere(), HeaderMissing());
+  }
+  if (num_missing > 0 && !names_.joints_refusal.empty()) {
+    return errors_->Error(table_.NameWhere(names_.joints_column), names_.joints_refusal);
+  }
   if (num_missing > 1 && num_missing == num_joints_) {
     errors_->Error(HeaderWhere(),
                    fmt::format("the recording has no joint coordinates; the columns {} to {} are "
@@ -156,13 +219,48 @@ void ColumnFinder::CheckJoints() {
   }
 }
 
+void ColumnFinder::DropPartOfAngles(RecordingField field) {
+  if (!layout_.Has(field)) return;
+  const std::vector<int> columns = layout_.fields.at(field).column;
+  if (std::find(columns.begin(), columns.end(), -1) == columns.end()) return;
+  for (const int column : columns) {
+    if (column < 0) continue;
+    layout_.unknown.push_back(column);
+    layout_.hints.emplace_back();
+  }
+  layout_.fields.erase(field);
+}
+
+void ColumnFinder::CheckOrientation() {
+  int first = -1;
+  for (const RecordingField field : OrientationFields()) {
+    const bool angles = field != RecordingField::kQuaternion && field != RecordingField::kMatrix;
+    if (angles) DropPartOfAngles(field);
+    CheckComplete(field);
+    if (!layout_.Has(field)) continue;
+    const std::vector<int>& columns = layout_.fields.at(field).column;
+    const int column = *std::max_element(columns.begin(), columns.end());
+    if (first >= 0) {
+      errors_->Error(table_.NameWhere(column),
+                     fmt::format("columns '{}' and '{}' both give the orientation; keep one form",
+                                 table_.name(first),
+                                 table_.name(column)));
+    }
+    first = column;
+  }
+}
+
 RecordingLayout ColumnFinder::Find() {
   for (int i = 0; i < table_.num_columns(); ++i) Place(i);
   FindHints();
   CheckJoints();
   CheckComplete(RecordingField::kPosition);
   CheckComplete(RecordingField::kDisplacement);
-  CheckComplete(RecordingField::kQuaternion);
+  CheckOrientation();
+  if (!table_.has_header() && !errors_->ok()) {
+    layout_.unknown.clear();
+    layout_.hints.clear();
+  }
   if (layout_.Has(RecordingField::kTemperature) && layout_.Has(RecordingField::kJointTemperature)) {
     errors_->Error(table_.NameWhere(layout_.Column(RecordingField::kTemperature)),
                    "column 'temperature_C' stands beside temperatures per joint; keep one kind");
@@ -172,10 +270,11 @@ RecordingLayout ColumnFinder::Find() {
 
 }  // namespace
 
-RecordingLayout FindColumns(const CsvTable& table,
+RecordingLayout FindColumns(const CellTable& table,
                             const std::vector<JointRow>& joints,
+                            const std::vector<ColumnAlias>& aliases,
                             FileErrors* errors) {
-  return ColumnFinder(table, joints, errors).Find();
+  return ColumnFinder(table, joints, aliases, errors).Find();
 }
 
 }  // namespace dhcal

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/io/csv.h"
+#include "core/io/cell_table.h"
 #include "core/io/file_errors.h"
+#include "core/model/recording.h"
 #include "core/model/robot.h"
 #include "problems/formats/recording/recording_columns.h"
 
@@ -30,8 +31,9 @@ struct RecordingLayout {
 };
 
 /// Reports missing, doubled, incomplete and misnamed columns.
-RecordingLayout FindColumns(const CsvTable& table,
+RecordingLayout FindColumns(const CellTable& table,
                             const std::vector<JointRow>& joints,
+                            const std::vector<ColumnAlias>& aliases,
                             FileErrors* errors);
 
 }  // namespace dhcal

@@ -1,7 +1,5 @@
 #include "problems/formats/recording/recording_reader.h"
 
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,10 +8,11 @@
 #include <fmt/format.h>
 
 #include "core/base/text.h"
-#include "core/io/csv.h"
+#include "core/io/cell_table.h"
 #include "core/io/file_errors.h"
 #include "problems/formats/recording/recording_cells.h"
 #include "problems/formats/recording/recording_layout.h"
+#include "problems/formats/recording/recording_orientation.h"
 
 namespace dhcal {
 
@@ -27,7 +26,7 @@ struct UnknownColumns {
 /// Fills a Recording field by field from the columns found.
 class RecordingFiller {
  public:
-  RecordingFiller(const CsvTable& table, const RecordingLayout& layout, FileErrors* errors)
+  RecordingFiller(const CellTable& table, const RecordingLayout& layout, FileErrors* errors)
       : table_(table), layout_(layout), errors_(errors), cells_(table, errors) {}
 
   Recording Fill();
@@ -40,13 +39,14 @@ class RecordingFiller {
   /// The field's columns as the file names them.
   std::vector<std::string> Names(RecordingField field) const;
   Eigen::MatrixXd Joints();
-  Eigen::MatrixXd UnitQuaternions();
+  /// Nothing where the clock stands: then it is none.
+  Eigen::VectorXd Time();
   std::vector<int> Labels(RecordingField field, bool may_be_blank, std::vector<std::string>* names);
   std::vector<bool> TestRows();
   std::vector<ExtraColumn> Extra();
   void WarnOfUnknown(const UnknownColumns& unknown);
 
-  const CsvTable& table_;
+  const CellTable& table_;
   const RecordingLayout& layout_;
   FileErrors* errors_;
   CellReader cells_;
@@ -54,16 +54,7 @@ class RecordingFiller {
 
 Eigen::MatrixXd RecordingFiller::Numbers(RecordingField field, const NumberRule& rule) {
   if (!layout_.Has(field)) return {};
-  const FieldColumns& columns = layout_.fields.at(field);
-  const int num_components = static_cast<int>(columns.column.size());
-  // A component without a column stays blank.
-  Eigen::MatrixXd numbers = Eigen::MatrixXd::Constant(
-      table_.num_rows(), num_components, std::numeric_limits<double>::quiet_NaN());
-  for (int i = 0; i < num_components; ++i) {
-    if (columns.column[i] < 0) continue;
-    cells_.ReadNumbers(columns.column[i], columns.to_si[i], rule, numbers.col(i));
-  }
-  return numbers;
+  return cells_.ReadNumbers(layout_.fields.at(field), rule);
 }
 
 Eigen::VectorXd RecordingFiller::Number(RecordingField field, const NumberRule& rule) {
@@ -72,8 +63,8 @@ Eigen::VectorXd RecordingFiller::Number(RecordingField field, const NumberRule& 
 }
 
 Eigen::MatrixXd RecordingFiller::Coordinates(RecordingField field) {
-  if (layout_.Has(field)) cells_.CheckAllOrNone(layout_.fields.at(field).column);
-  return Numbers(field);
+  if (!layout_.Has(field)) return {};
+  return cells_.ReadCoordinates(layout_.fields.at(field));
 }
 
 std::vector<std::string> RecordingFiller::Names(RecordingField field) const {
@@ -92,23 +83,15 @@ Eigen::MatrixXd RecordingFiller::Joints() {
   return Numbers(RecordingField::kJoint);
 }
 
-Eigen::MatrixXd RecordingFiller::UnitQuaternions() {
-  constexpr double kNormTolerance = 0.01;  // what rounding in the file may explain
-  Eigen::MatrixXd quaternions = Coordinates(RecordingField::kQuaternion);
-  for (int row = 0; row < quaternions.rows(); ++row) {
-    const double norm = quaternions.row(row).norm();
-    if (std::isnan(norm)) continue;
-    if (std::abs(norm - 1.0) <= kNormTolerance) {
-      quaternions.row(row) /= norm;
-      continue;
-    }
-    cells_.Error(row,
-                 layout_.Column(RecordingField::kQuaternion),
-                 fmt::format("the quaternion qw, qx, qy, qz has the norm {:.4g}; a norm from 0.99 "
-                             "to 1.01 is expected",
-                             norm));
-  }
-  return quaternions;
+Eigen::VectorXd RecordingFiller::Time() {
+  Eigen::VectorXd time = Number(RecordingField::kTime);
+  const bool stands = time.size() > 1 && (time.array() == time[0]).all();
+  if (!stands) return time;
+  const int column = layout_.Column(RecordingField::kTime);
+  errors_->Warning(table_.NameWhere(column),
+                   fmt::format("column '{}' holds the same time in all rows, and is not used",
+                               Printable(table_.name(column))));
+  return {};
 }
 
 std::vector<int> RecordingFiller::Labels(RecordingField field,
@@ -181,10 +164,10 @@ Recording RecordingFiller::Fill() {
   recording.q = Joints();
   recording.p_WQ = Coordinates(RecordingField::kPosition);
   recording.displacement = Coordinates(RecordingField::kDisplacement);
-  recording.quaternion = UnitQuaternions();
+  recording.quaternion = ReadOrientations(layout_, cells_);
   recording.distance = Number(RecordingField::kDistance, kPositive);
   recording.sigma = Number(RecordingField::kSigma, kPositive);
-  recording.time = Number(RecordingField::kTime);
+  recording.time = Time();
   recording.payload = Number(RecordingField::kPayload, kNotNegative);
   recording.temperature =
       Numbers(layout_.Has(RecordingField::kTemperature) ? RecordingField::kTemperature
@@ -204,16 +187,23 @@ Recording RecordingFiller::Fill() {
 
 std::optional<Recording> ReadRecording(const std::string& file,
                                        const std::vector<JointRow>& joints,
+                                       const std::vector<ColumnAlias>& columns,
                                        Diagnostics* diagnostics) {
   FileErrors errors(file);
   std::optional<Recording> recording;
-  if (const std::optional<CsvTable> table = ReadCsv(file, &errors)) {
-    const RecordingLayout layout = FindColumns(*table, joints, &errors);
+  if (const std::optional<CellTable> table = ReadTable(file, &errors)) {
+    const RecordingLayout layout = FindColumns(*table, joints, columns, &errors);
     recording = RecordingFiller(*table, layout, &errors).Fill();
     recording->file = file;
   }
   errors.Report(diagnostics);
   return errors.ok() ? std::move(recording) : std::nullopt;
+}
+
+std::optional<Recording> ReadRecording(const std::string& file,
+                                       const std::vector<JointRow>& joints,
+                                       Diagnostics* diagnostics) {
+  return ReadRecording(file, joints, {}, diagnostics);
 }
 
 }  // namespace dhcal

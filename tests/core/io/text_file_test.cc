@@ -50,9 +50,30 @@ TEST(TextFile, ByteOrderMarkAloneIsAnEmptyFile) {
   EXPECT_THAT(MessageAbout(TempFile("\xEF\xBB\xBF").path()), HasSubstr("the file is empty"));
 }
 
-TEST(TextFile, Utf16IsAnError) {
-  const TempFile file(std::string("\xFF\xFEq\0001\0", 6));
-  EXPECT_THAT(MessageAbout(file.path()), HasSubstr(":1:1: error: the file is UTF-16 text"));
+TEST(TextFile, Utf16IsConverted) {
+  // "q1", U+00E9 and U+1F916, which takes two units.
+  const std::string little("\xFF\xFEq\0001\0\xE9\0\x3E\xD8\x16\xDD", 12);
+  const std::string big("\xFE\xFF\0q\0001\0\xE9\xD8\x3E\xDD\x16", 12);
+  for (const std::string& content : {little, big}) {
+    const TempFile file(content);
+    Diagnostics diagnostics;
+    bool utf16 = false;
+    EXPECT_EQ(ReadTextFile(file.path(), &diagnostics, &utf16), "q1\xC3\xA9\xF0\x9F\xA4\x96");
+    EXPECT_TRUE(utf16);
+    EXPECT_TRUE(diagnostics.ok());
+  }
+}
+
+TEST(TextFile, BrokenUtf16IsAnError) {
+  for (const std::string& content :
+       {std::string("\xFF\xFEq", 3), std::string("\xFF\xFE\x3E\xD8", 4)}) {
+    EXPECT_THAT(MessageAbout(TempFile(content).path()), HasSubstr("UTF-16 text with broken"));
+  }
+}
+
+TEST(TextFile, WorkbooksAreTold) {
+  EXPECT_THAT(MessageAbout(TempFile(std::string("PK\x03\x04\0", 5)).path()),
+              HasSubstr("save it as 'CSV UTF-8'"));
 }
 
 TEST(TextFile, EndlessDeviceIsRefusedAtItsFirstNul) {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -182,6 +183,45 @@ TEST(RecordingReader, QuotedCellsKeepCommasAndQuotes) {
   const Recording recording =
       ReadRows("\"q1_rad\",q2_rad,run\n\"1\",2,\" a, \"\"b\"\" \"\n1,2,\"\"\"\"\n");
   EXPECT_THAT(recording.run_names, ElementsAre(" a, \"b\" ", "\""));
+}
+
+/// Messages about a file of one turning joint and a position, with these words on its columns.
+std::string MessagesWith(const std::vector<ColumnAlias>& columns, const std::string& text) {
+  const TempFile file(text, ".csv");
+  Diagnostics diagnostics;
+  ReadRecording(file.path(), JointsOf("R"), columns, &diagnostics);
+  return diagnostics.ToString();
+}
+
+TEST(RecordingReader, ColumnsOfTheProblemFileComeFirst) {
+  const TempFile file("q1_deg,command,x_mm,y_mm,z_mm\n10,20,1,2,3\n11,21,1,2,3\n", ".csv");
+  Diagnostics diagnostics;
+  const auto recording =
+      ReadRecording(file.path(), JointsOf("R"), {{"q1_rad", "command", {}, {}}}, &diagnostics);
+  ASSERT_TRUE(recording.has_value()) << diagnostics.ToString();
+  EXPECT_EQ(recording->q(0, 0), 20);
+  ASSERT_EQ(recording->extra.size(), 1u);
+  EXPECT_EQ(recording->extra[0].name, "q1_deg");
+}
+
+TEST(RecordingReader, WrongColumnsOfTheProblemFileAreErrorsThere) {
+  const SourceLocation ours = {"p.yaml", 7, 3}, theirs = {"p.yaml", 7, 11};
+  EXPECT_THAT(
+      MessagesWith({{"q1_radd", "command", ours, theirs}}, "q1_deg,command\n1,2\n"),
+      HasSubstr("p.yaml:7:3: error: 'q1_radd' is no column of a recording of this robot, did "
+                "you mean 'q1_rad'?"));
+  EXPECT_THAT(MessagesWith({{"q1_rad", "comand", ours, theirs}}, "q1_deg,command\n1,2\n"),
+              HasSubstr("p.yaml:7:11: error: the recording"));
+  EXPECT_THAT(MessagesWith({{"q1_rad", "comand", ours, theirs}}, "q1_deg,command\n1,2\n"),
+              HasSubstr("has no column 'comand'; did you mean 'command'?"));
+}
+
+TEST(RecordingReader, ClockThatStandsIsNotUsed) {
+  const std::string text = "q1_deg,t_s\n1,2.02011E+13\n2,2.02011E+13\n";
+  const TempFile file(text, ".csv");
+  std::string messages;
+  EXPECT_EQ(ReadRowsOf(file.path(), "R", &messages).time.size(), 0);
+  EXPECT_THAT(messages, HasSubstr("column 't_s' holds the same time in all rows, and is not used"));
 }
 
 TEST(RecordingReader, MissingFileIsOneError) {
