@@ -14,6 +14,7 @@
 #include "problems/diagnosis/rows/read_out.h"
 #include "problems/parameter_set.h"
 #include "problems/setup/frames_alone.h"
+#include "problems/setup/lint.h"
 #include "problems/setup/orientations.h"
 #include "problems/setup/own_position.h"
 
@@ -190,6 +191,7 @@ SetupJudgement JudgeSetup(const ProblemSpec& spec,
   }
   if (judgement.setup.reasons.empty()) JudgeFit(files, identified, &judgement.setup);
   judgement.setup.plausible = judgement.setup.reasons.empty();
+  if (!identified.simulated) judgement.setup.remarks = Lint(spec, recording);
   return judgement;
 }
 

@@ -128,6 +128,8 @@ void ReadProblem(const YamlValue& root, const std::string& data_dir, ProblemSpec
     spec->robot.anchors = spec->measurement.anchors;
   }
   spec->parameters.where = root.key_where();
+  // An instrument beside the robot stands anywhere and looks at a reflector put on by hand.
+  if (!spec->measurement.kind.pairs) spec->parameters.estimate = {"complete"};
   if (const auto parameters = map.Find("parameters")) {
     spec->parameters.where = parameters->key_where();
     ReadParameters(*parameters, spec->robot, &spec->parameters);

@@ -19,7 +19,7 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr double kNoise = 30e-6;
+constexpr double kFineNoise = 30e-6;  // [m]
 
 /// Files that were right, and what is done to them.
 struct Mistake {
@@ -98,7 +98,7 @@ class Doctor : public testing::TestWithParam<Mistake> {};
 TEST_P(Doctor, NamesTheOneThingThatIsWrong) {
   Rng rng(3);
   ProblemSpec spec = ProblemOf(Kr15(), KindNamed("position"));
-  Recording recording = RecordingOfRobot(spec.robot, 70, kNoise, &rng);
+  Recording recording = RecordingOfRobot(spec.robot, 70, kFineNoise, &rng);
   const double right = FitFrames(spec, recording).rms;
   GetParam().make(&spec, &recording);
   const double before = FitFrames(spec, recording).rms;
@@ -124,14 +124,14 @@ INSTANTIATE_TEST_SUITE_P(All, Doctor, testing::ValuesIn(Mistakes()), [](const au
 TEST(DoctorOfRightFiles, FindsNothing) {
   Rng rng(4);
   const ProblemSpec spec = ProblemOf(Kr15(), KindNamed("position"));
-  const Recording recording = RecordingOfRobot(spec.robot, 70, kNoise, &rng);
+  const Recording recording = RecordingOfRobot(spec.robot, 70, kFineNoise, &rng);
   EXPECT_TRUE(FindCauses({spec, recording}, FitFrames(spec, recording).rms, 100).causes.empty());
 }
 
 TEST(DoctorOfAnotherRobot, ClaimsNothing) {
   Rng rng(5);
   ProblemSpec spec = ProblemOf(Kr15(), KindNamed("position"));
-  const Recording recording = RecordingOfRobot(spec.robot, 70, kNoise, &rng);
+  const Recording recording = RecordingOfRobot(spec.robot, 70, kFineNoise, &rng);
   spec.robot.joints[1].a *= 0.7;
   spec.robot.joints[3].d *= 1.4;
   const double before = FitFrames(spec, recording).rms;
@@ -141,7 +141,7 @@ TEST(DoctorOfAnotherRobot, ClaimsNothing) {
 TEST(FindMovedFrames, NamesTheFrameThatMoved) {
   Rng rng(6);
   const ProblemSpec spec = ProblemOf(Kr15(), KindNamed("position"));
-  Recording recording = RecordingOfRobot(spec.robot, 80, kNoise, &rng);
+  Recording recording = RecordingOfRobot(spec.robot, 80, kFineNoise, &rng);
   recording.run_names = {"mon", "tue"};
   for (int row = 0; row < 80; ++row) recording.run_idx.push_back(row / 40);
   recording.p_WQ.bottomRows(40).col(1).array() += 0.08;
@@ -154,7 +154,7 @@ TEST(FindMovedFrames, NamesTheFrameThatMoved) {
 TEST(FindOrientationForm, NamesOrderAndInverse) {
   Rng rng(8);
   const ProblemSpec spec = ProblemOf(Kr15(), KindNamed("pose"));
-  const Recording right = RecordingOfRobot(spec.robot, 40, kNoise, &rng);
+  const Recording right = RecordingOfRobot(spec.robot, 40, kFineNoise, &rng);
   EXPECT_LT(FindOrientationForm({spec, right}).misfit, 0.01);
   EXPECT_TRUE(FindOrientationForm({spec, right}).findings.causes.empty());
 

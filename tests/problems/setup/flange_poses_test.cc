@@ -11,14 +11,17 @@
 namespace dhcal {
 namespace {
 
+// GoogleTest has a member of the name.
+using TakenAs = SetUp;
+
 /// A set-up with something of every kind that changes the arm.
-SetUp RandomSetUp(const RobotModel& robot, Rng* rng) {
+TakenAs RandomSetUp(const RobotModel& robot, Rng* rng) {
   const auto chance = [&] { return rng->Uniform(0, 1) < 0.4; };
   const int n = robot.num_joints();
-  SetUp set_up = AsWritten(n);
+  TakenAs set_up = AsWritten(n);
   for (int j = 0; j < n; ++j) {
     const bool turns = robot.joints[static_cast<std::size_t>(j)].type == JointType::kRevolute;
-    SetUp::Joint& joint = set_up.joints[static_cast<std::size_t>(j)];
+    TakenAs::Joint& joint = set_up.joints[static_cast<std::size_t>(j)];
     if (chance()) joint.sense = -1;
     if (turns && chance()) joint.quarters = 2;
     if (turns && chance()) joint.unit = AngleUnit::kHoldsDegrees;
@@ -41,7 +44,7 @@ TEST(FlangeOfRows, IsTheFlangeOfTheCuredFiles) {
     SCOPED_TRACE(robot.model.name);
     const ProblemSpec spec = ProblemOf(robot.model, KindNamed("position"));
     const Recording recording = RecordingOfRobot(robot.model, 5, 0, &rng);
-    const SetUp set_up = RandomSetUp(robot.model, &rng);
+    const TakenAs set_up = RandomSetUp(robot.model, &rng);
     FlangePoses poses;
     FlangeOfRows(spec.robot, recording, {0, 3}).Evaluate(set_up, &poses);
 
