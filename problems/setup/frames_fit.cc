@@ -1,5 +1,6 @@
 #include "problems/setup/frames_fit.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -109,6 +109,50 @@ TEST_F(Program, DivergedFitExitsWithOneAndStillReports) {
   EXPECT_EQ(Files("result").count("calibrated.yaml"), 0u);
 }
 
+/// The problem file of a case, joint 2 of which counts the other way.
+std::string WithWrongSense(const std::string& problem) {
+  std::istringstream lines(problem);
+  std::string text;
+  int joint = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_row = line.find("- {theta_deg") != std::string::npos;
+    if (is_row && ++joint == 2) line.insert(line.find('}'), ", sign: -1");
+    text += line + "\n";
+  }
+  return text;
+}
+
+TEST_F(Program, WrongFilesExitWithOneAndNameTheLine) {
+  const std::string folder = SourcePath("problems/cases/concealed/D5_kr15_01/");
+  Write("recording.csv", ReadAll(folder + "recording.csv"));
+  Write("wrong.yaml", WithWrongSense(ReadAll(folder + "problem.yaml")));
+  const Outcome run = Run("--problem wrong.yaml --diagnosis never --out r");
+  EXPECT_EQ(run.exit_status, 1);
+  EXPECT_THAT(run.out, AllOf(HasSubstr("IMPLAUSIBLE"), HasSubstr("Joint 2 counts the other way")));
+  const nlohmann::json setup = Json("r/result.json")["setup"];
+  EXPECT_EQ(setup["plausible"], false);
+  ASSERT_EQ(setup["causes"].size(), 1U);
+  EXPECT_EQ(setup["causes"][0]["kind"], "joint_sense");
+  EXPECT_EQ(setup["causes"][0]["fix"]["text"], "sign: 1");
+  EXPECT_GT(setup["causes"][0]["fix"]["line"], 0);
+  EXPECT_FALSE(fs::exists(folder_ / "work" / "r" / "calibrated.yaml"));
+}
+
+TEST_F(Program, TryFixRunsOnWithTheCureInTheResultFolderOnly) {
+  const std::string folder = SourcePath("problems/cases/concealed/D5_kr15_01/");
+  Write("recording.csv", ReadAll(folder + "recording.csv"));
+  Write("wrong.yaml", WithWrongSense(ReadAll(folder + "problem.yaml")));
+  const std::string before = ReadAll(folder_ / "work" / "wrong.yaml");
+  const Outcome run = Run("--problem wrong.yaml --diagnosis never --out r --try-fix");
+  EXPECT_EQ(run.exit_status, 0);
+  EXPECT_EQ(Json("r/result.json")["setup"]["cured"], true);
+  EXPECT_EQ(ReadAll(folder_ / "work" / "wrong.yaml"), before);
+  // What was written runs by itself.
+  const Outcome again = Run("--problem r/calibrated.yaml --diagnosis never --out again");
+  EXPECT_EQ(again.exit_status, 0) << again.out << again.err;
+  EXPECT_EQ(Json("again/result.json")["setup"]["plausible"], true);
+}
+
 TEST_F(Program, FlagsOverrideTheFile) {
   const Outcome outcome =
       Run(Case("kr15_noisy") + "--singular_value_tolerance=paper --method=both --out r");

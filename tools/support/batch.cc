@@ -110,6 +110,7 @@ Result RunOrTryFix(bool try_fix, const Progress& progress, Job* job) {
   if (!try_fix || !cured) return result;
   job->spec = std::move(cured->spec);
   job->recording = std::move(cured->recording);
+  job->spec.columns.clear();  // what is stored has the program's own names
   Result again = Calibrate(job->spec, job->recording, progress);
   std::vector<SetupCause> causes = std::move(result.setup.causes);
   causes.insert(causes.end(), again.setup.causes.begin(), again.setup.causes.end());

@@ -80,6 +80,8 @@ YAML::Node JointNode(const JointRow& joint, const YAML::Node& old) {
     node[number.name + std::string(angle ? "_deg" : "_m")] =
         Digits(angle ? DegreesOf(value) : value);
   }
+  // A cure of the files may have turned it.
+  if (joint.sign < 0 || !Child(node, "sign").IsNull()) node["sign"] = joint.sign < 0 ? "-1" : "1";
   return node;
 }
 
@@ -177,6 +179,10 @@ YAML::Node RobotNode(const RobotModel& calibrated, bool masses_changed, const YA
     const std::string key = entry.first.Scalar();
     if (key != "units") robot[key] = entry.second;
   }
+  const bool modified = calibrated.convention == DhConvention::kModified;
+  if (modified || !Child(old, "convention").IsNull()) {
+    robot["convention"] = modified ? "modified" : "standard";
+  }
   robot["joints"] = JointsNode(calibrated, Child(old, "joints"));
   MoveToEnds(calibrated, Child(old, "joints"), &robot);
   const YAML::Node base = Child(old, "base");
@@ -250,6 +256,8 @@ std::string CalibratedYaml(const ProblemSpec& spec,
     const std::string key = entry.first.Scalar();
     if (key == "recording" || key == "simulate") {
       root["recording"] = recording_path;
+    } else if (key == "columns" && spec.columns.empty()) {
+      continue;  // of a recording that is stored under the program's own names
     } else if (key == "robot") {
       const bool masses_changed = !SameMasses(calibrated.links, spec.robot.links);
       root["robot"] = RobotNode(calibrated, masses_changed, entry.second);

@@ -52,6 +52,7 @@ TEST_F(LintOf, TwistsThatLookLikeRadiansAsksForThem) {
 
 TEST_F(LintOf, GravityAlongATiltedBaseAsksForIt) {
   spec.robot.links.resize(6);
+  spec.robot.X_WB = Eigen::Isometry3d::Identity();
   EXPECT_THAT(Lint(spec, recording), IsEmpty());
   spec.robot.X_WB = MakeFrame({0, 0, 1}, {kPi / 2, 0, 0});
   EXPECT_THAT(Lint(spec, recording), ElementsAre(HasSubstr("tilted by 90.0 deg")));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "core/base/units.h"
 #include "tools/proof/simulator/random/draw.h"
