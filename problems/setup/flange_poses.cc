@@ -87,7 +87,7 @@ void FlangeOfRows::Evaluate(const SetUp& set_up, FlangePoses* poses) const {
       poses->R[c][k] = Numbers::Constant(num_rows_, c == k ? 1.0 : 0.0);
     }
   }
-  auto& [x, y, z] = poses->R;
+  Axis &x = poses->R[0], &y = poses->R[1], &z = poses->R[2];
   Axis& p = poses->p;
   const bool standard = (robot_.convention == DhConvention::kStandard) != set_up.other_convention;
   const double scale = set_up.table_scale;

@@ -20,7 +20,6 @@ class ColumnFinder {
                const std::vector<ColumnAlias>& aliases,
                FileErrors* errors)
       : table_(table),
-        joints_(joints),
         num_joints_(static_cast<int>(joints.size())),
         known_(KnownColumns(joints)),
         names_(NameColumns(table, joints, known_, aliases, errors)),
@@ -50,7 +49,6 @@ class ColumnFinder {
   SourceLocation HeaderWhere() const { return table_.NameWhere(0); }
 
   const CellTable& table_;
-  const std::vector<JointRow>& joints_;
   const int num_joints_;
   const std::vector<KnownColumn> known_;
   const ColumnNames names_;

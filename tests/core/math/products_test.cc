@@ -14,14 +14,14 @@ namespace {
 using Eigen::MatrixXd;
 
 // Rows and columns that do and do not fill packs, panels and pieces.
-constexpr int kRows[] = {1, 8, 13, 256, 600};
+constexpr int kRowCounts[] = {1, 8, 13, 256, 600};
 constexpr int kCols[] = {1, 3, 4, 35, 70};
 
 class ProductsOnALevel : public testing::TestWithParam<const simd::Kernels*> {};
 
 TEST_P(ProductsOnALevel, AreThoseOfEigen) {
   Rng rng(31);
-  for (const int rows : kRows) {
+  for (const int rows : kRowCounts) {
     for (const int cols : kCols) {
       const MatrixXd A = RandomMatrix(rows, cols, &rng);
       for (const int others : kCols) {
