@@ -81,6 +81,7 @@ const CauseKind& JointUnit();
 const CauseKind& TableUnit();
 const CauseKind& TableLength();
 const CauseKind& ReadingUnit();
+const CauseKind& ToolUnit();
 const CauseKind& MirroredFrame();
 const CauseKind& RowShift();
 const CauseKind& FramePerRun();

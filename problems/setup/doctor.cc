@@ -54,20 +54,12 @@ struct Verified {
   double Rank() const { return AsRead() * std::pow(kPerCause, weight); }
 };
 
-Verified VerifyCured(const SetUp& set_up, const CuredFiles& cured) {
+Verified Verify(const Files& files, const SetUp& set_up) {
+  const CuredFiles cured = Cured(files, set_up);
   return {set_up,
           FitFrames(cured.spec, cured.recording).rms,
           WeightOf(set_up),
           ReachOf(cured.spec.robot)};
-}
-
-/// With the tool that the search found, so that a tool in a wrong unit does no harm.
-Verified Verify(const Files& files, const Candidate& candidate) {
-  CuredFiles cured = Cured(files, candidate.set_up);
-  if (cured.spec.robot.targets.empty() && files.spec.measurement.kind.is_point()) {
-    cured.spec.robot.X_TQ.translation() = candidate.misfit.p_TQ;
-  }
-  return VerifyCured(candidate.set_up, cured);
 }
 
 std::string InMillimetres(double rms) {
@@ -135,7 +127,7 @@ std::vector<Verified> VerifyAll(const Files& files, const std::vector<Candidate>
   std::vector<Verified> verified;
   for (const Candidate& candidate : candidates) {
     if (verified.size() >= kMostVerified) break;
-    verified.push_back(Verify(files, candidate));
+    verified.push_back(Verify(files, candidate.set_up));
   }
   return verified;
 }
@@ -148,7 +140,7 @@ void TryMovedFrames(const Files& files, std::vector<Verified>* verified) {
     std::vector<SetUp> moved;
     FramePerRun().Neighbours(files, one.set_up, &moved);
     for (const SetUp& set_up : moved) {
-      verified->push_back(VerifyCured(set_up, Cured(files, set_up)));
+      verified->push_back(Verify(files, set_up));
     }
   }
 }
@@ -219,7 +211,7 @@ Findings FindCauses(const Files& files, double rms_before, int most_weight) {
         if (candidate.misfit.rms > kNominalFits * reach) continue;
         const std::optional<SetUp> shifted = ShiftedPart(files, candidate, piece);
         if (!shifted) continue;
-        verified.push_back(VerifyCured(*shifted, Cured(files, *shifted)));
+        verified.push_back(Verify(files, *shifted));
       }
       if (Solved(verified)) break;
     }

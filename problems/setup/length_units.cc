@@ -36,6 +36,17 @@ std::optional<LengthFactors> UnitsOf(const RobotModel& robot, double ratio) {
   return std::nullopt;
 }
 
+double ToolScale(const RobotModel& robot, const Eigen::Vector3d& p_TQ) {
+  constexpr double kAlike = 0.3;  // of the length
+  if (!robot.targets.empty()) return 1;
+  const Eigen::Vector3d stated = robot.X_TQ.translation();
+  for (const double scale : {1e-3, 1e3}) {
+    const Eigen::Vector3d meant = scale * stated;
+    if (!meant.isZero(0) && (meant - p_TQ).norm() < kAlike * meant.norm()) return scale;
+  }
+  return 1;
+}
+
 LengthUnitWords WordsOfLengthUnit(double factor) {
   if (Near(factor, 1000)) return {"metres", "_mm", "_m"};
   if (Near(factor, 1e-3)) return {"millimetres", "_m", "_mm"};

@@ -18,6 +18,10 @@ struct LengthFactors {
 /// there are none.
 std::optional<LengthFactors> UnitsOf(const RobotModel& robot, double ratio);
 
+/// What makes metres of the lengths of the file's tool, if the readings have it at `p_TQ` [m]: 1
+/// unless the two are a thousand times apart in one direction.
+double ToolScale(const RobotModel& robot, const Eigen::Vector3d& p_TQ);
+
 /// What the arm would reach by its table [m].
 double TableReach(const RobotModel& robot);
 

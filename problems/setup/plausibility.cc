@@ -30,9 +30,9 @@ constexpr double kHopeless = 0.04;
 constexpr double kWorthAsking = 0.0015;
 // Of the readings' spread: a small volume shows a wrong table by less.
 constexpr double kOfSpread = 0.1;
-constexpr double kFewDirections = 0.25;  // of the columns: a fit that determines less is none
-constexpr int kAnyWeight = 100;          // of causes
-constexpr double kFollows = 0.05;        // [rad] orientations that are the robot's
+constexpr double kFewDirections = 0.25;     // of the columns: a fit that determines less is none
+constexpr int kMostWeight = 4 * kOneCause;  // of causes
+constexpr double kFollows = 0.05;           // [rad] orientations that are the robot's
 
 std::string InMillimetres(double rms) {
   const double mm = rms / kMillimetre;
@@ -126,7 +126,7 @@ void JudgeRobot(const Files& files,
       return;
     }
   }
-  Take(FindCauses(files, misfit, far_off ? kAnyWeight : kOneCause), judgement);
+  Take(FindCauses(files, misfit, far_off ? kMostWeight : kOneCause), judgement);
   const bool stands = misfit <= kHopeless * ReachOf(files.robot()) && identified.best() != nullptr;
   if (setup.causes.empty() && (!far_off || stands)) return;
   setup.reasons.push_back(MissesWords(misfit));

@@ -14,6 +14,7 @@ const std::vector<const CauseKind*>& CauseKinds() {
                                                       &ZeroOffset(),
                                                       &TurnsWithAnother(),
                                                       &ReadingUnit(),
+                                                      &ToolUnit(),
                                                       &MirroredFrame(),
                                                       &RowShift(),
                                                       &FramePerRun()};

@@ -81,6 +81,7 @@ Candidate SetUpSearch::Judge(SetUp set_up) const {
   } else {
     candidate.misfit.rms = std::numeric_limits<double>::infinity();
   }
+  set_up.tool_scale = ToolScale(files_.robot(), candidate.misfit.p_TQ);
   set_up.mirrored = candidate.misfit.mirrored;
   candidate.weight = WeightOf(set_up);
   candidate.set_up = std::move(set_up);
@@ -176,6 +177,7 @@ std::vector<Candidate> SetUpSearch::Run() const {
       // What the fit finds is no step.
       SetUp from = beam[k].set_up;
       from.reading_scale = 1;
+      from.tool_scale = 1;
       from.table_scale = 1;
       from.mirrored = false;
       for (SetUp& step : Steps(from)) next.push_back(std::move(step));

@@ -43,6 +43,7 @@ struct SetUp {
   // What shows when base and tool are fitted.
   double table_scale = 1;    // the table's lengths times this are metres
   double reading_scale = 1;  // the readings' lengths times this are metres
+  double tool_scale = 1;     // the tool's lengths times this are metres
   bool mirrored = false;
 
   /// All of it, to be compared.
@@ -56,6 +57,7 @@ struct SetUp {
                     tool_per_run,
                     table_scale,
                     reading_scale,
+                    tool_scale,
                     mirrored);
   }
 

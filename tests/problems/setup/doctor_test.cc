@@ -82,6 +82,12 @@ std::vector<Mistake> Mistakes() {
            row.d *= 1000;
          }
        }},
+      {"tool_in_millimetres",
+       "unit",
+       {},
+       [](ProblemSpec* spec, Recording*) {
+         spec->robot.X_TQ.translation() = Eigen::Vector3d(30, -50, 120);
+       }},
       {"readings_in_inches", "unit", {}, [](ProblemSpec*, Recording* r) { r->p_WQ /= 25.4; }},
       {"mirrored", "mirrored_frame", {}, [](ProblemSpec*, Recording* r) { r->p_WQ.col(0) *= -1; }},
       {"reading_lost",

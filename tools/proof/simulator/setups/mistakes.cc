@@ -164,6 +164,10 @@ std::vector<MistakeSource> MistakeSources(const WrongFiles& files) {
     wrong->length_unit = Chance(0.5, rng) ? 1e3 : 1e-3;
     Write("unit", {}, wrong);
   };
+  const auto tool = [](WrongFiles* wrong, Rng* /*rng*/) {
+    wrong->tool_unit = 1e3;
+    Write("unit", {}, wrong);
+  };
   const auto convention = [](WrongFiles* wrong, Rng* /*rng*/) {
     Convention& c = wrong->table.convention;
     c = c == Convention::kStandard ? Convention::kModified : Convention::kStandard;
@@ -176,6 +180,7 @@ std::vector<MistakeSource> MistakeSources(const WrongFiles& files) {
           {"joint unit", true, MisnameJointUnit},
           {"table unit", true, table_unit},
           {"table lengths", true, lengths},
+          {"tool lengths", true, tool},
           {"convention", true, convention},
           {"reading unit", points, MisnameReadings},
           {"mirrored_frame", points && s.kind != Kind::kPose, Mirror},

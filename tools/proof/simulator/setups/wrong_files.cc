@@ -82,7 +82,7 @@ std::string ProblemOf(const WrongFiles& files, const std::string& hash) {
          fmt::format(
              "  tool: {{xyz_m: {}}}\nmeasurement:\n  kind: {}\n{}recording: recording.csv\n"
              "parameters:\n  estimate: [complete]\ndiagnosis: {{run: never}}\n",
-             YamlList(files.table.tool.translation()),
+             YamlList(files.tool_unit * files.table.tool.translation()),
              ToString(s.kind),
              s.kind == Kind::kAdjacent ? "  noise: shared_pose\n" : "");
 }

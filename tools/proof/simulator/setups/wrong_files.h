@@ -30,6 +30,7 @@ struct WrongFiles {
   std::vector<double> joint_unit;         // 1/kDegree as written; 1 where it holds radians
   std::vector<std::string> joint_ending;  // "deg", "rad", "mm"
   double angle_unit = 0;                  // of the table's angles
+  double tool_unit = 1;                   // of the tool's lengths, likewise
   double length_unit = 1;                 // of the table's lengths, written as _m
   double reading_unit = 1e3;              // of the readings
   std::string reading_ending = "mm";
