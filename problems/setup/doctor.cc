@@ -62,11 +62,6 @@ Verified Verify(const Files& files, const SetUp& set_up) {
           ReachOf(cured.spec.robot)};
 }
 
-std::string InMillimetres(double rms) {
-  const double mm = rms / kMillimetre;
-  return mm < 100 ? fmt::format("{:.2f} mm", mm) : fmt::format("{:.0f} mm", mm);
-}
-
 std::string Capitalised(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] += 'A' - 'a';
   return text;
@@ -227,8 +222,7 @@ Findings FindMovedFrames(const Files& files, double rms_before) {
 }
 
 OrientationFindings FindOrientationForm(const Files& files) {
-  constexpr double kFollows = 0.05;  // [rad] orientations that are the robot's
-  constexpr double kClearly = 0.2;   // of the misfit as written
+  constexpr double kClearly = 0.2;  // of the misfit as written
   OrientationFindings result;
   const Recording& recording = files.recording;
   const FramesAlone fit = FitFrames(files.spec, recording);
@@ -239,9 +233,9 @@ OrientationFindings FindOrientationForm(const Files& files) {
   const std::optional<OrientationForms> forms = JudgeOrientations(c);
   if (!forms) return result;
   result.misfit = forms->as_written.misfit;
-  if (!(result.misfit > kFollows)) return result;
+  if (!(result.misfit > kFollowsRobot)) return result;
   const double best = forms->best.misfit;
-  if (!(best < kFollows && best < kClearly * result.misfit)) return result;
+  if (!(best < kFollowsRobot && best < kClearly * result.misfit)) return result;
   result.findings.causes.push_back(DescribeForm(files, *forms));
   if (!forms->best.turned) {
     result.findings.cured = CuredFiles{files.spec, recording};

@@ -8,6 +8,7 @@
 
 #include "problems/calibration.h"
 #include "problems/prediction.h"
+#include "problems/setup/length_units.h"
 #include "problems/start.h"
 #include "residuals/registry.h"
 
@@ -106,11 +107,6 @@ FramesAlone FitFrames(const ProblemSpec& spec, const Recording& recording) {
   return result;
 }
 
-double ReachOf(const RobotModel& robot) {
-  constexpr double kLargestArm = 30;  // [m]
-  double reach = 0;
-  for (const JointRow& row : robot.joints) reach += std::hypot(row.a, row.d);
-  return std::clamp(reach, 0.1, kLargestArm);
-}
+double ReachOf(const RobotModel& robot) { return std::clamp(TableReach(robot), 0.1, 30.0); }
 
 }  // namespace dhcal

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::size_t kFewest = 4;  // orientations
 constexpr std::size_t kMost = 200;  // that are looked at
-constexpr double kFar = 0.05;       // [rad] no instrument reads worse
 constexpr int kTurns = 30;          // of the alternation for two unknown frames
 
 using Rotations = std::vector<Eigen::Matrix3d>;
@@ -126,7 +125,7 @@ std::optional<OrientationForms> JudgeOrientations(const Calibration& c) {
       if (form.misfit < forms.best.misfit) forms.best = form;
     }
   } while (std::next_permutation(order.begin(), order.end()));
-  if (forms.best.misfit < kFar) return forms;
+  if (forms.best.misfit < kFollowsRobot) return forms;
   for (const bool inverse : {false, true}) {
     QuaternionForm form{{0, 1, 2, 3}, inverse, true, 0};
     const Rotations measured = in_form(form);

@@ -9,6 +9,9 @@
 
 namespace dhcal {
 
+/// [rad] RMS: orientations that are the robot's; no instrument reads worse.
+constexpr double kFollowsRobot = 0.05;
+
 /// A form in which four numbers may hold an orientation.
 struct QuaternionForm {
   std::array<int, 4> order = {0, 1, 2, 3};  // w, x, y, z stand in these columns

@@ -17,6 +17,7 @@
 #include "problems/setup/lint.h"
 #include "problems/setup/orientations.h"
 #include "problems/setup/own_position.h"
+#include "problems/setup/words.h"
 
 namespace dhcal {
 namespace {
@@ -32,12 +33,6 @@ constexpr double kWorthAsking = 0.0015;
 constexpr double kOfSpread = 0.1;
 constexpr double kFewDirections = 0.25;     // of the columns: a fit that determines less is none
 constexpr int kMostWeight = 4 * kOneCause;  // of causes
-constexpr double kFollows = 0.05;           // [rad] orientations that are the robot's
-
-std::string InMillimetres(double rms) {
-  const double mm = rms / kMillimetre;
-  return mm < 100 ? fmt::format("{:.1f} mm", mm) : fmt::format("{:.0f} mm", mm);
-}
 
 std::string MissesWords(double misfit) {
   return fmt::format(
@@ -140,7 +135,7 @@ void JudgeRobot(const Files& files,
 void JudgeOrientation(const Files& files, SetupJudgement* judgement) {
   if (!files.spec.measurement.kind.sees_orientation()) return;
   const OrientationFindings findings = FindOrientationForm(files);
-  if (!(findings.misfit > kFollows)) return;
+  if (!(findings.misfit > kFollowsRobot)) return;
   judgement->setup.reasons.push_back(fmt::format(
       "The measured orientations miss the robot's by {:.0f} mrad RMS, whatever the tool: they are "
       "not the tool's orientations in the frame of the positions.",

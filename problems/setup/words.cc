@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/base/units.h"
+
 namespace dhcal {
 
 std::string JointList(const Files& files, const std::vector<int>& joints) {
@@ -24,6 +26,11 @@ std::string JointColumn(const Files& files, int column) {
   const auto idx = static_cast<std::size_t>(column);
   if (idx < files.recording.q_names.size()) return files.recording.q_names[idx];
   return fmt::format("q{}_{}", column + 1, files.revolute(column) ? "rad" : "m");
+}
+
+std::string InMillimetres(double length) {
+  const double mm = length / kMillimetre;
+  return fmt::format("{:.{}f} mm", mm, mm < 10 ? 2 : mm < 100 ? 1 : 0);
 }
 
 SourceLocation HeaderWhere(const Files& files) {

@@ -16,6 +16,9 @@ std::string JointList(const Files& files, const std::vector<int>& joints);
 /// "q1_deg": as the recording has it, or with the first unit of the format.
 std::string JointColumn(const Files& files, int column);
 
+/// "0.70 mm", "31.7 mm", "1091 mm": digits enough to compare.
+std::string InMillimetres(double length);
+
 /// Of the recording's header.
 SourceLocation HeaderWhere(const Files& files);
 
