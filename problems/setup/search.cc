@@ -65,7 +65,8 @@ SetUpSearch::SetUpSearch(const Files& files,
 }
 
 Candidate SetUpSearch::Judge(SetUp set_up) const {
-  const auto shift = static_cast<std::size_t>(set_up.shift + kMostRowShift);
+  const int of_shift = set_up.shift + kMostRowShift;
+  const auto shift = static_cast<std::size_t>(of_shift);
   FlangePoses now, before;
   now_[shift].Evaluate(set_up, &now);
   if (!before_.empty()) before_[shift].Evaluate(set_up, &before);

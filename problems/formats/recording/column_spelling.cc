@@ -111,7 +111,7 @@ std::string TakeUnitInBrackets(std::string_view* name) {
   if (name->empty() || (name->back() != ']' && name->back() != ')')) return "";
   const std::size_t open = name->find_last_of("[(");
   if (open == std::string_view::npos) return "";
-  const std::string unit = UnitOf(name->substr(open + 1, name->size() - open - 2));
+  std::string unit = UnitOf(name->substr(open + 1, name->size() - open - 2));
   if (!unit.empty()) *name = Trim(name->substr(0, open));
   return unit;
 }
@@ -121,7 +121,7 @@ std::string TakeUnitWord(std::vector<std::string>* words) {
   for (const std::size_t count : {std::size_t{2}, std::size_t{1}}) {
     if (words->size() <= count) continue;
     const auto begin = words->end() - static_cast<std::ptrdiff_t>(count);
-    const std::string unit = UnitOf(Joined({begin, words->end()}));
+    std::string unit = UnitOf(Joined({begin, words->end()}));
     if (unit.empty()) continue;
     words->erase(begin, words->end());
     return unit;

@@ -10,6 +10,7 @@
 #include "residuals/registry.h"
 #include "tests/support/files.h"
 #include "tests/support/problem_cases.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/set_up_files.h"
 
 namespace dhcal {
@@ -91,6 +92,7 @@ TEST_P(SharedSetUps, AreNamedAsTheirTextSays) {
   if (SharedDir().empty()) {
     GTEST_SKIP() << "set DHCAL_SHARED to the folder that holds cases/ to run this test";
   }
+  if (kSanitized) GTEST_SKIP() << "too slow with sanitizers; the other tests run the same code";
   const ProblemSpec spec = LoadProblem(SharedDir() + "/cases/" + GetParam().name + "/problem.yaml");
   const Result result = Calibrate(spec, RecordingOf(spec), {});
   EXPECT_FALSE(result.setup.plausible);
