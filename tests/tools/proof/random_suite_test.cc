@@ -40,7 +40,7 @@ TEST(RandomSuite, TwelveSeedsKeepTheBars) {
   ProofOptions options;
   options.folder = folder.path();
   options.program = DHCAL_PROGRAM;
-  options.random = kSanitized ? 2 : 12;
+  options.random = kSanitized ? 1 : 12;
   options.first = 1;
   const std::vector<RandomScore> scores = RunRandomProof(options, [](int /*done*/, int /*all*/) {});
   ASSERT_EQ(static_cast<int>(scores.size()), options.random);
