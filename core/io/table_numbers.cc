@@ -1,7 +1,6 @@
 #include "core/io/table_numbers.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include <fmt/format.h>
 
@@ -17,8 +16,7 @@ constexpr char kNoCharacter = '\x80';
 /// Puts `plain`, which has no more characters, in the place of `cell`, which starts at `begin`.
 std::string_view Replace(std::string_view cell, const std::string& plain, char* begin) {
   const int characters = CountCharacters(cell);
-  std::memcpy(begin, plain.data(), plain.size());
-  char* rest = begin + plain.size();
+  char* rest = std::copy(plain.begin(), plain.end(), begin);
   for (int k = static_cast<int>(plain.size()); k < characters; ++k) *rest++ = ' ';
   std::fill(rest, begin + cell.size(), kNoCharacter);
   return {begin, plain.size()};

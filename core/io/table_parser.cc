@@ -232,7 +232,9 @@ bool TableParser::CountsRows(int column_idx) const {
     if (!first) first = number;
     if (*number != *first + row) return false;
   }
-  return first == 0 || first == 1;
+  // From 0 as in pandas, or from 1.
+  const std::int64_t begin = first.value_or(-1);
+  return begin == 0 || begin == 1;
 }
 
 void TableParser::CheckNames() {
