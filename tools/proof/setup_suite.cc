@@ -199,7 +199,8 @@ std::string SetupTable(const std::vector<SetupScore>& scores) {
       "wrong cause claimed");
   text += Line("all", wrong);
   for (const auto& [name, of_name] : by) text += Line(name, of_name);
-  const auto judged = static_cast<int>(scores.size()) + static_cast<int>(wrong.size());
+  // Beside each wrong case stands its right twin, and each random trial is right.
+  const auto judged = static_cast<int>(scores.size());
   text += fmt::format("  right files accused: {}; failures: {}\n",
                       RateText(CountOf(scores, [](const auto& s) { return s.accused; }), judged),
                       CountOf(scores, [](const auto& s) { return !s.failure.empty(); }));
