@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/base/units.h"
-#include "problems/setup/frames_alone.h"
+#include "problems/setup/length_units.h"
 #include "problems/setup/orientations.h"
 #include "problems/setup/search.h"
 #include "problems/setup/shifted_part.h"
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kFarBetter = 4;      // times: what a cure must gain
 constexpr double kFramesMoved = 2.5;  // ... and frames that are allowed to move between runs
-constexpr double kPerCause = 1.6;     // times the misfit: what a cause more must gain
+constexpr double kPerCause = 1.6;     // times the misfit: what half a cause more must gain
 constexpr double kNotTold = 1.5;      // times the best: what cannot be told from it
 constexpr std::size_t kMostVerified = 6;
 constexpr std::size_t kMostListed = 4;
@@ -141,7 +141,7 @@ void TryMovedFrames(const Files& files, std::vector<Verified>* verified) {
 }
 
 bool Solved(const std::vector<Verified>& verified) {
-  return std::any_of(verified.begin(), verified.end(), [&](const Verified& one) {
+  return std::any_of(verified.begin(), verified.end(), [](const Verified& one) {
     return one.rms <= kNominalFits * one.reach;
   });
 }
@@ -221,15 +221,14 @@ Findings FindMovedFrames(const Files& files, double rms_before) {
   return Conclude(files, std::move(verified), rms_before, kFramesMoved, 2 * kOneCause);
 }
 
-OrientationFindings FindOrientationForm(const Files& files) {
+OrientationFindings FindOrientationForm(const Files& files, const FramesAlone& frames_alone) {
   constexpr double kClearly = 0.2;  // of the misfit as written
   OrientationFindings result;
   const Recording& recording = files.recording;
-  const FramesAlone fit = FitFrames(files.spec, recording);
-  if (!fit.frames) return result;
+  if (!frames_alone.frames) return result;
   const ProblemSpec frames_only = FramesOnly(files.spec, recording);
   Calibration c(frames_only, recording);
-  c.frames = *fit.frames;
+  c.frames = *frames_alone.frames;
   const std::optional<OrientationForms> forms = JudgeOrientations(c);
   if (!forms) return result;
   result.misfit = forms->as_written.misfit;

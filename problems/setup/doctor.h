@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "problems/setup/cause.h"
+#include "problems/setup/frames_alone.h"
 
 namespace dhcal {
 
@@ -28,7 +29,8 @@ struct OrientationFindings {
   double misfit = 0;  // [rad] RMS, as written; 0 where there are none to judge
   Findings findings;  // empty where no other form fits
 };
-OrientationFindings FindOrientationForm(const Files& files);
+/// `frames_alone`: FitFrames of the files.
+OrientationFindings FindOrientationForm(const Files& files, const FramesAlone& frames_alone);
 
 }  // namespace dhcal
 

@@ -8,7 +8,6 @@
 
 #include "problems/calibration.h"
 #include "problems/prediction.h"
-#include "problems/setup/length_units.h"
 #include "problems/start.h"
 #include "residuals/registry.h"
 
@@ -106,7 +105,5 @@ FramesAlone FitFrames(const ProblemSpec& spec, const Recording& recording) {
   }
   return result;
 }
-
-double ReachOf(const RobotModel& robot) { return std::clamp(TableReach(robot), 0.1, 30.0); }
 
 }  // namespace dhcal

@@ -31,9 +31,6 @@ struct FramesAlone {
 /// aside, fitted and test rows alike.
 FramesAlone FitFrames(const ProblemSpec& spec, const Recording& recording);
 
-/// What the arm can reach by its table [m], and a bound for tables in a wrong unit.
-double ReachOf(const RobotModel& robot);
-
 }  // namespace dhcal
 
 #endif  // DHCAL_PROBLEMS_SETUP_FRAMES_ALONE_H_

@@ -55,12 +55,12 @@ FramesFit::FramesFit(const Calibration& c, const std::vector<Reading>& readings)
   }
   const Eigen::Vector3d mean = pairs_ ? Eigen::Vector3d::Zero() : y_.rowwise().mean().eval();
   spread_ = (y_.colwise() - mean) * (y_.colwise() - mean).transpose() / static_cast<double>(n);
-  basis_.resize(n, pairs_ ? 3 : 4);
-  basis_.leftCols<3>() = y_.transpose();
-  if (!pairs_) basis_.col(3).setOnes();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(basis_);
-  orthonormal_ = qr.householderQ() * Eigen::MatrixXd::Identity(n, basis_.cols());
-  root_ = qr.matrixQR().topRows(basis_.cols()).triangularView<Eigen::Upper>();
+  Eigen::MatrixXd basis(n, pairs_ ? 3 : 4);
+  basis.leftCols<3>() = y_.transpose();
+  if (!pairs_) basis.col(3).setOnes();
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(basis);
+  orthonormal_ = qr.householderQ() * Eigen::MatrixXd::Identity(n, basis.cols());
+  root_ = qr.matrixQR().topRows(basis.cols()).triangularView<Eigen::Upper>();
 }
 
 void FramesFit::JudgeFrame(const Eigen::Matrix3d& C, double rms_t, FramesMisfit* misfit) const {

@@ -38,7 +38,6 @@ class FramesFit {
   FramesMisfit Fit(const FlangePoses& now, const FlangePoses& before) const;
 
  private:
-  using Numbers = FlangePoses::Numbers;
   template <int kColumns>
   using Columns =
       Eigen::Matrix<double, Eigen::Dynamic, kColumns, Eigen::ColMajor, kMostSetUpRows, kColumns>;
@@ -50,13 +49,12 @@ class FramesFit {
 
   bool pairs_ = false;
   bool distances_ = false;
-  Eigen::Matrix3Xd y_;     // 3 x readings [m]
-  Eigen::MatrixXd basis_;  // readings x (3 or 4): y and, for positions, 1
-  Eigen::MatrixXd root_;   // triangular factor of the basis
-  Eigen::MatrixXd orthonormal_;
-  Eigen::Matrix3d spread_;    // mean of (y - mean)(y - mean)'
-  Eigen::VectorXd distance_;  // [m]
-  std::vector<int> anchor_;   // of each reading
+  Eigen::Matrix3Xd y_;  // 3 x readings [m]
+  // Of the basis, readings x (3 or 4): y and, for positions, 1.
+  Eigen::MatrixXd orthonormal_, root_;  // its triangular factor
+  Eigen::Matrix3d spread_;              // mean of (y - mean)(y - mean)'
+  Eigen::VectorXd distance_;            // [m]
+  std::vector<int> anchor_;             // of each reading
   int num_anchors_ = 0;
   Eigen::Vector3d tool_;  // the file's
 };

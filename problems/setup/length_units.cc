@@ -1,5 +1,6 @@
 #include "problems/setup/length_units.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -19,6 +20,10 @@ double TableReach(const RobotModel& robot) {
   double reach = 0;
   for (const JointRow& row : robot.joints) reach += std::hypot(row.a, row.d);
   return reach;
+}
+
+double ReachOf(const RobotModel& robot) {
+  return std::clamp(TableReach(robot), kSmallestReach, kLargestReach);
 }
 
 std::optional<LengthFactors> UnitsOf(const RobotModel& robot, double ratio) {

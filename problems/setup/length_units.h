@@ -24,6 +24,8 @@ double ToolScale(const RobotModel& robot, const Eigen::Vector3d& p_TQ);
 
 /// What the arm would reach by its table [m].
 double TableReach(const RobotModel& robot);
+/// The same within the sizes that arms have: what misfits are held against.
+double ReachOf(const RobotModel& robot);
 
 /// What lengths hold that are metres when they are multiplied by `factor`.
 struct LengthUnitWords {

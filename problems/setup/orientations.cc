@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/math/rotation.h"
+#include "core/base/units.h"
 #include "problems/start.h"
 
 namespace dhcal {
@@ -64,7 +64,7 @@ Rotations Starts(const Eigen::Matrix3d& left) {
                                       Eigen::Vector3d::UnitY().eval(),
                                       Eigen::Vector3d::UnitZ().eval()}) {
     for (int quarter = 0; quarter < 4; ++quarter) {
-      starts.emplace_back(Eigen::AngleAxisd(quarter * M_PI / 2, axis) * left);
+      starts.emplace_back(Eigen::AngleAxisd(quarter * kPi / 2, axis) * left);
     }
   }
   return starts;
@@ -85,14 +85,15 @@ std::optional<OrientationForms> JudgeOrientations(const Calibration& c) {
   const Recording& recording = c.recording;
   const Eigen::VectorXd zero =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(c.parameters.size()));
+  if (recording.quaternion.rows() == 0) return std::nullopt;
   std::vector<int> rows;
   for (const Reading& reading : c.readings.fitted) {
-    if (recording.run(reading.row_idx) == recording.run(c.readings.fitted[0].row_idx) &&
-        c.Target(reading.row_idx) == c.Target(c.readings.fitted[0].row_idx)) {
-      rows.push_back(reading.row_idx);
-    }
+    const int row = reading.row_idx, first = rows.empty() ? row : rows.front();
+    const bool alike =
+        recording.run(row) == recording.run(first) && c.Target(row) == c.Target(first);
+    if (alike && recording.quaternion.row(row).allFinite()) rows.push_back(row);
   }
-  if (rows.size() < kFewest || recording.quaternion.rows() == 0) return std::nullopt;
+  if (rows.size() < kFewest) return std::nullopt;
   const std::size_t step = (rows.size() + kMost - 1) / kMost;
   Rotations arm;
   Eigen::MatrixXd quaternions(0, 4);

@@ -8,8 +8,9 @@
 
 namespace dhcal {
 
-/// A cause where the nominal robot meets every reading to its last digit, as no real robot does.
-std::optional<SetupCause> OwnPosition(const Files& files);
+/// A cause where the nominal robot, with base and tool fitted, meets the readings to their last
+/// digit, as no real robot does. `misfit` [m]: by how much it misses them, RMS.
+std::optional<SetupCause> OwnPosition(const Files& files, double misfit);
 
 }  // namespace dhcal
 

@@ -14,6 +14,7 @@
 #include "problems/diagnosis/rows/read_out.h"
 #include "problems/parameter_set.h"
 #include "problems/setup/frames_alone.h"
+#include "problems/setup/length_units.h"
 #include "problems/setup/lint.h"
 #include "problems/setup/orientations.h"
 #include "problems/setup/own_position.h"
@@ -132,9 +133,11 @@ void JudgeRobot(const Files& files,
       "that are shifted, frames that moved between runs). Check the table's lengths and twists.");
 }
 
-void JudgeOrientation(const Files& files, SetupJudgement* judgement) {
+void JudgeOrientation(const Files& files,
+                      const FramesAlone& frames_alone,
+                      SetupJudgement* judgement) {
   if (!files.spec.measurement.kind.sees_orientation()) return;
-  const OrientationFindings findings = FindOrientationForm(files);
+  const OrientationFindings findings = FindOrientationForm(files, frames_alone);
   if (!(findings.misfit > kFollowsRobot)) return;
   judgement->setup.reasons.push_back(fmt::format(
       "The measured orientations miss the robot's by {:.0f} mrad RMS, whatever the tool: they are "
@@ -143,12 +146,19 @@ void JudgeOrientation(const Files& files, SetupJudgement* judgement) {
   Take(findings.findings, judgement);
 }
 
-/// Base or tool held at values of the file that are far from where they are.
+/// Base or tool held at values of the file that are far from where they are: a fit that failed for
+/// another reason is none of their business.
 void JudgeFixedFrames(const Files& files,
                       double misfit,
                       const Result& identified,
                       SetupResult* setup) {
-  if (identified.best() != nullptr || !std::isfinite(misfit)) return;
+  const auto length = [](double rms, double rms_point) {
+    return std::isnan(rms_point) ? rms : rms_point;
+  };
+  const double as_held = length(identified.nominal.rms, identified.nominal.rms_point);
+  if (!FarOff(as_held, files) || FarOff(misfit, files)) return;
+  const FitResult* const fit = identified.best();
+  if (fit != nullptr && !FarOff(length(fit->rms, fit->rms_point), files)) return;
   std::map<ParameterGroup, int> free;
   for (const Parameter& p : ResolveParameters(files.spec, files.recording).estimated)
     ++free[p.group];
@@ -157,11 +167,17 @@ void JudgeFixedFrames(const Files& files,
   cause.kind = "frame_not_estimated";
   cause.sentence = fmt::format(
       "Base and tool are held at the file's values: with both of them fitted the nominal robot "
-      "misses the readings by {} RMS.",
-      InMillimetres(misfit));
+      "misses the readings by {} RMS instead of {}.",
+      InMillimetres(misfit),
+      InMillimetres(as_held));
   cause.where = files.spec.parameters.where;
   cause.text = "estimate: complete";
+  cause.rms_before = as_held;
   cause.rms_after = misfit;
+  if (fit != nullptr) {
+    setup->reasons.push_back(fmt::format("The fit leaves {} RMS, which is no noise.",
+                                         InMillimetres(length(fit->rms, fit->rms_point))));
+  }
   setup->causes.push_back(std::move(cause));
 }
 
@@ -172,11 +188,12 @@ SetupJudgement JudgeSetup(const ProblemSpec& spec,
                           const Result& identified) {
   SetupJudgement judgement;
   const Files files{spec, recording};
-  const double misfit = FitFrames(spec, recording).rms;
+  const FramesAlone frames_alone = FitFrames(spec, recording);
+  const double misfit = frames_alone.rms;
   JudgeRobot(files, misfit, identified, &judgement);
-  if (judgement.setup.reasons.empty()) JudgeOrientation(files, &judgement);
+  if (judgement.setup.reasons.empty()) JudgeOrientation(files, frames_alone, &judgement);
   if (judgement.setup.reasons.empty() && !identified.simulated) {
-    if (std::optional<SetupCause> own = OwnPosition(files)) {
+    if (std::optional<SetupCause> own = OwnPosition(files, misfit)) {
       judgement.setup.reasons.emplace_back("Nothing was measured.");
       judgement.setup.causes = {std::move(*own)};
     }

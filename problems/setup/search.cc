@@ -54,11 +54,11 @@ SetUpSearch::SetUpSearch(const Files& files,
     std::vector<int> rows, rows_before;
     for (const Reading& reading : readings_) {
       rows.push_back(reading.row_idx + shift);
-      rows_before.push_back(std::max(reading.previous_idx, 0) + shift);
+      rows_before.push_back(reading.previous_idx + shift);
     }
     now_.emplace_back(files.robot(), files.recording, rows);
+    // Differences that were read as such: each has a row before.
     if (calibration.measurement->kind().pairs) {
-      for (int& row : rows_before) row = std::max(row, 0);
       before_.emplace_back(files.robot(), files.recording, rows_before);
     }
   }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "problems/setup/frames_alone.h"
+#include "problems/setup/length_units.h"
 
 namespace dhcal {
 namespace {
@@ -36,9 +37,10 @@ std::optional<SetUp> ShiftedPart(const Files& files,
   if (points.cols() == 0) return std::nullopt;
   SetUp unshifted = candidate.set_up;
   unshifted.shift = 0;
-  const Recording read = Cured(files, unshifted).recording;
+  const CuredFiles cured = Cured(files, unshifted);
+  const Recording& read = cured.recording;
   const int run = read.run(piece.front().row_idx);
-  const double reach = ReachOf(Cured(files, unshifted).spec.robot);
+  const double reach = ReachOf(cured.spec.robot);
   const double cap = kCap * reach;
   // [m] how far the reading of a row lies from the point of the row so many later.
   const auto off = [&](int row, int shift) {

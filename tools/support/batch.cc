@@ -119,31 +119,29 @@ Result RunOrTryFix(bool try_fix, const Progress& progress, Job* job) {
   return again;
 }
 
-Outcome RunJob(bool try_fix, bool quiet, Job* const job_to_run) {
-  Job& job = *job_to_run;
+Outcome RunJob(const CommandLine& command_line, Job* job) {
+  const bool quiet = command_line.quiet;
   ProgressPrinter printer;
   Progress progress;
   if (!quiet) progress = [&printer](const std::string& text) { printer(text); };
   Outcome outcome;
-  outcome.problem = job.spec.name;
-  outcome.result = RunOrTryFix(try_fix, progress, &job);
+  outcome.problem = job->spec.name;
+  outcome.result = RunOrTryFix(command_line.try_fix, progress, job);
   if (outcome.result.diagnosis && outcome.result.diagnosis->verdict == DiagnosisVerdict::kFailed) {
-    std::cerr << job.spec.name << ": warning: " << outcome.result.diagnosis->summary << ".\n";
+    std::cerr << job->spec.name << ": warning: " << outcome.result.diagnosis->summary << ".\n";
   }
   Diagnostics diagnostics;
-  if (!WriteResult(job.spec, job.recording, outcome.result, job.directory, &diagnostics)) {
-    if (!quiet) std::cout << ToText(ReportOf(job.spec, outcome.result)) << std::flush;
+  const bool written =
+      WriteResult(job->spec, job->recording, outcome.result, job->directory, &diagnostics);
+  // Printed when it is safe: who closes the pipe loses nothing.
+  if (!quiet) std::cout << ToText(ReportOf(job->spec, outcome.result)) << std::flush;
+  if (!written) {
     std::cerr << diagnostics.ToString();
     outcome.exit_status = kExitBadInput;
     outcome.status = "not written";
     return outcome;
   }
-  // Printed when it is safe: who closes the pipe loses nothing.
-  if (!quiet) {
-    std::cout << ToText(ReportOf(job.spec, outcome.result)) << "Results are in " << job.directory
-              << "/\n"
-              << std::flush;
-  }
+  if (!quiet) std::cout << "Results are in " << job->directory << "/\n" << std::flush;
   const bool usable = outcome.result.best() != nullptr;
   outcome.exit_status = usable ? kExitOk : kExitNoUsableResult;
   outcome.status = usable ? "ok"
@@ -181,7 +179,7 @@ int RunBatch(const CommandLine& command_line) {
   int exit_status = kExitOk;
   std::vector<Outcome> outcomes;
   for (Job& job : jobs) {
-    outcomes.push_back(RunJob(command_line.try_fix, command_line.quiet, &job));
+    outcomes.push_back(RunJob(command_line, &job));
     exit_status = std::max(exit_status, outcomes.back().exit_status);
   }
   if (jobs.size() > 1 && !command_line.quiet) {

@@ -18,7 +18,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kExactDecimals = 6;
 // A value is a decimal fraction if it is within so many of its last places of one.
 constexpr double kSameDecimal = 1e-6;
 constexpr double kSameAngle = 1e-5;  // [rad] or [m] between rows of one pose
@@ -26,19 +25,6 @@ constexpr double kSameAngle = 1e-5;  // [rad] or [m] between rows of one pose
 constexpr double kCoarsestAngle = 0.2 * kDegree, kCoarsestLength = 0.5 * kMillimetre;
 // Distinct values, of those that as many evenly spread readings would have.
 constexpr double kShareOfBins = 0.5;
-
-/// Fewest decimals that hold all values; kExactDecimals where there are more.
-int DecimalsOfAll(const VectorXd& values) {
-  for (int decimals = 0; decimals < kExactDecimals; ++decimals) {
-    const double scale = std::pow(10.0, decimals);
-    const bool all = std::all_of(values.begin(), values.end(), [&](double value) {
-      const double scaled = value * scale;
-      return std::abs(scaled - std::round(scaled)) < kSameDecimal;
-    });
-    if (all) return decimals;
-  }
-  return kExactDecimals;
-}
 
 /// True if values look like readings that were rounded. Those of a grid, or whole degrees, are what
 /// was commanded, and exact.
@@ -116,6 +102,18 @@ Recording PutTogether(const Recording& r,
 
 }  // namespace
 
+int DecimalsOf(const VectorXd& values) {
+  for (int decimals = 0; decimals < kExactDecimals; ++decimals) {
+    const double scale = std::pow(10.0, decimals);
+    const bool all = std::all_of(values.begin(), values.end(), [&](double value) {
+      const double scaled = value * scale;
+      return std::isnan(value) || std::abs(scaled - std::round(scaled)) < kSameDecimal;
+    });
+    if (all) return decimals;
+  }
+  return kExactDecimals;
+}
+
 VectorXd ReadOutQuanta(const Recording& recording, const RobotModel& robot) {
   VectorXd quanta = VectorXd::Zero(recording.num_joints());
   const std::vector<int> of_row = PosesOfRows(recording);
@@ -126,10 +124,10 @@ VectorXd ReadOutQuanta(const Recording& recording, const RobotModel& robot) {
     const VectorXd values = recording.q.col(joint) / unit;
     // A joint that never moves was not read: it was commanded.
     if (values.size() == 0 || values.maxCoeff() - values.minCoeff() < 1e-9) continue;
-    int decimals = DecimalsOfAll(values);
+    int decimals = DecimalsOf(values);
     double quantum = unit * std::pow(10.0, -decimals);
     if (decimals == kExactDecimals && turns) {
-      decimals = DecimalsOfAll(recording.q.col(joint));
+      decimals = DecimalsOf(recording.q.col(joint));
       quantum = std::pow(10.0, -decimals);
     }
     if (decimals == kExactDecimals || quantum > (turns ? kCoarsestAngle : kCoarsestLength))

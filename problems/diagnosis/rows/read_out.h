@@ -11,6 +11,12 @@
 
 namespace dhcal {
 
+/// A column whose values need as many is exact as far as any arm is.
+constexpr int kExactDecimals = 6;
+/// Fewest decimals that hold all values, blank ones (NaN) apart; kExactDecimals where there are
+/// more.
+int DecimalsOf(const Eigen::VectorXd& values);
+
 /// Last digit of each joint's column [rad or m], read from its values: the fewest decimals, of
 /// degrees or millimetres, that hold all of them. 0 where they have six or more: then the column is
 /// exact as far as any arm is. 0, too, where the values are those of a grid, or whole degrees or

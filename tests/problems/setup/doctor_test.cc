@@ -163,26 +163,34 @@ TEST(FindMovedFrames, NamesTheFrameThatMoved) {
   EXPECT_EQ(findings.causes[0].text, "base: {per_run: true}");
 }
 
+OrientationFindings FormOf(const ProblemSpec& spec, const Recording& recording) {
+  return FindOrientationForm({spec, recording}, FitFrames(spec, recording));
+}
+
 TEST(FindOrientationForm, NamesOrderAndInverse) {
   Rng rng(8);
   const ProblemSpec spec = ProblemOf(Kr15(), KindNamed("pose"));
   const Recording right = RecordingOfRobot(spec.robot, 40, kFineNoise, &rng);
-  EXPECT_LT(FindOrientationForm({spec, right}).misfit, 0.01);
-  EXPECT_TRUE(FindOrientationForm({spec, right}).findings.causes.empty());
+  EXPECT_LT(FormOf(spec, right).misfit, 0.01);
+  EXPECT_TRUE(FormOf(spec, right).findings.causes.empty());
 
   Recording scalar_last = right;
   scalar_last.quaternion.leftCols<3>() = right.quaternion.rightCols<3>();
   scalar_last.quaternion.col(3) = right.quaternion.col(0);
-  const OrientationFindings order = FindOrientationForm({spec, scalar_last});
+  const OrientationFindings order = FormOf(spec, scalar_last);
   EXPECT_GT(order.misfit, 0.5);
   ASSERT_EQ(order.findings.causes.size(), 1U);
   EXPECT_THAT(order.findings.causes[0].text, testing::HasSubstr("qx, qy, qz, qw"));
   ASSERT_TRUE(order.findings.cured.has_value());
   EXPECT_TRUE(order.findings.cured->recording.quaternion.isApprox(right.quaternion));
 
+  // A lost orientation says nothing of the others.
+  scalar_last.quaternion.row(3).setConstant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(FormOf(spec, scalar_last).findings.causes.size(), 1U);
+
   Recording inverse = right;
   inverse.quaternion.rightCols<3>() *= -1;
-  const OrientationFindings turned = FindOrientationForm({spec, inverse});
+  const OrientationFindings turned = FormOf(spec, inverse);
   ASSERT_EQ(turned.findings.causes.size(), 1U);
   EXPECT_THAT(turned.findings.causes[0].sentence, testing::HasSubstr("seen from the tool"));
 }

@@ -77,6 +77,24 @@ TEST(Plausibility, LeavesNothingThatCouldBeTakenForACalibration) {
   EXPECT_TRUE(Calibrated(cured->spec, cured->recording).setup.plausible);
 }
 
+TEST(Plausibility, NamesFramesThatAreHeldFarFromWhereTheyAre) {
+  Rng rng(5);
+  ProblemSpec spec = ProblemOf(Kr15(), KindNamed("position"));
+  spec.parameters.estimate = {"theta", "alpha", "a", "d"};
+  const Result result = Calibrated(spec, RecordingOfRobot(spec.robot, 60, 30e-6, &rng));
+  EXPECT_EQ(result.best(), nullptr);
+  ASSERT_EQ(result.setup.causes.size(), 1U);
+  EXPECT_EQ(result.setup.causes[0].kind, "frame_not_estimated");
+}
+
+TEST(Plausibility, AccusesNoFramesOfAFitThatFailedByItsSolver) {
+  const ProblemSpec spec = LoadCase("kr15_noisy_paper_rule");
+  const Result result = Calibrated(spec, RecordingOf(spec));
+  EXPECT_EQ(result.best(), nullptr) << "the paper's tolerance diverges on noise";
+  EXPECT_TRUE(result.setup.plausible);
+  EXPECT_TRUE(result.setup.causes.empty());
+}
+
 /// Set-ups of another author, each with a text that says what is right.
 struct SharedSetUp {
   std::string name;
