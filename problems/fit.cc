@@ -45,11 +45,7 @@ Fit RunFit(const Calibration& calibration,
   SolverOptions with_progress = options;
   with_progress.progress = [&](const IterationRecord& record) {
     if (!progress) return;
-    progress(fmt::format("{} step {}: cost {:.6g}, rank {}",
-                         ToString(method),
-                         record.iteration,
-                         record.cost,
-                         record.rank));
+    progress({fmt::format("fit, {} step {}", ToString(method), record.iteration)});
   };
   Fit fit;
   fit.method = method;

@@ -2,7 +2,6 @@
 #ifndef DHCAL_PROBLEMS_FIT_H_
 #define DHCAL_PROBLEMS_FIT_H_
 
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -10,11 +9,9 @@
 #include "core/solver/solver.h"
 #include "problems/assembly.h"
 #include "problems/calibration.h"
+#include "problems/progress.h"
 
 namespace dhcal {
-
-/// Called with a line of text now and then during long work; may be empty.
-using Progress = std::function<void(const std::string&)>;
 
 struct Fit {
   SolverMethod method = SolverMethod::kSvdGaussNewton;

@@ -84,6 +84,9 @@ struct RobotModel {
   }
 };
 
+/// "joint 4 (shoulder_pan)", as the problem file calls it; "joint 2" where its name says no more.
+std::string JointWords(const RobotModel& robot, int joint_from_1);
+
 }  // namespace dhcal
 
 #endif  // DHCAL_CORE_MODEL_ROBOT_H_

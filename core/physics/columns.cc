@@ -107,6 +107,12 @@ std::string Quantity(const EffectValue& value, double unit_size, const std::stri
   return fmt::format("{:.{}f} +- {:.{}f} {}", shown, decimals, sigma, decimals, unit);
 }
 
+std::string AmountOfJoint(const EffectValue& value) {
+  const std::size_t slash = value.unit.find('/');
+  const std::string per = slash == std::string::npos ? "" : value.unit.substr(slash);
+  return Quantity(value, 1e-3, (value.unit[0] == 'm' ? "mm" : "mrad") + per);
+}
+
 std::string ComponentsInWords(const std::vector<EffectValue>& values,
                               int components,
                               const std::string& unit_of_lengths) {

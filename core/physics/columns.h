@@ -46,7 +46,12 @@ bool IsConstant(const Eigen::VectorXd& driver);
 /// 0-based index of a request's joint.
 inline int JointIndex(const EffectRequest& request) { return request.joint - 1; }
 
-/// "joint 2", "joints 4 and 5".
+/// Of a context's robot.
+inline std::string JointWords(const PhysicsContext& context, int joint_from_1) {
+  return dhcal::JointWords(context.robot(), joint_from_1);
+}
+
+/// "joint 2", of all robots.
 std::string JointName(int joint_from_1);
 
 /// What is wrong with the joint of a request for an effect that needs one; "" when nothing.
@@ -54,6 +59,10 @@ std::string CheckJoint(const PhysicsContext& context, const EffectRequest& reque
 
 /// "1.13 +- 0.05 urad per N m": two digits of sigma, in the unit whose size is `unit_size`.
 std::string Quantity(const EffectValue& value, double unit_size, const std::string& unit);
+
+/// "0.31 +- 0.02 mrad" of a turning joint, "... mm" of a sliding one, by the value's own unit; of
+/// "rad/K" and "m/K" per K.
+std::string AmountOfJoint(const EffectValue& value);
 
 /// "x 1.0 +- 0.1 mm, y ...": the first `components` of a frame, turns in mrad.
 std::string ComponentsInWords(const std::vector<EffectValue>& values,

@@ -97,7 +97,8 @@ class Effect {
   /// predicted at poses that were not recorded.
   virtual bool DependsOnPoseOnly(const EffectRequest& /*request*/) const { return false; }
   /// "joint 2 yields 1.13 +- 0.05 urad per N m under gravity".
-  virtual std::string Sentence(const EffectRequest& request,
+  virtual std::string Sentence(const PhysicsContext& context,
+                               const EffectRequest& request,
                                const std::vector<EffectValue>& values) const = 0;
   virtual WorkedExample Example() const = 0;
 };

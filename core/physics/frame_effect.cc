@@ -46,7 +46,8 @@ EffectPlace FrameEffect::Place(const PhysicsContext& /*context*/,
   return {"geometry", frame_, "constant"};
 }
 
-std::string FrameEffect::Sentence(const EffectRequest& /*request*/,
+std::string FrameEffect::Sentence(const PhysicsContext& /*context*/,
+                                  const EffectRequest& /*request*/,
                                   const std::vector<EffectValue>& values) const {
   std::string text = summary_ + ":";
   for (int k = 0; k < SlotLayout::kPerFrame; ++k) {

@@ -78,7 +78,8 @@ EffectPlace RunFrameEffect::Place(const PhysicsContext& /*c*/,
   return {"geometry", frame_, "run"};
 }
 
-std::string RunFrameEffect::Sentence(const EffectRequest& /*request*/,
+std::string RunFrameEffect::Sentence(const PhysicsContext& /*context*/,
+                                     const EffectRequest& /*request*/,
                                      const std::vector<EffectValue>& values) const {
   struct Square {
     double value = 0, variance = 0;  // of the length, and of it times the length

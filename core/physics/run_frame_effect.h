@@ -21,7 +21,8 @@ class RunFrameEffect final : public Effect {
                                     const EffectRequest& request) const override;
   std::vector<EffectRequest> Candidates(const PhysicsContext& context) const override;
   EffectPlace Place(const PhysicsContext& context, const EffectRequest& request) const override;
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& context,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override;
   WorkedExample Example() const override;
 

@@ -90,7 +90,7 @@ Section ComparisonSection(const Result& result) {
       "differ most:",
       Largest(result.comparison, &ComparedParameter::difference, noise_free),
       Largest(result.comparison, &ComparedParameter::in_null_space, noise_free));
-  return {"THE TWO SOLVERS COMPARED",
+  return {"APPENDIX: THE TWO SOLVERS COMPARED",
           {Paragraph{{sentence}, ""}, DifferenceTable(result.comparison, noise_free)}};
 }
 

@@ -11,6 +11,7 @@
 #include "core/base/units.h"
 #include "core/model/robot.h"
 #include "core/physics/effect.h"
+#include "core/report/error_table.h"
 #include "core/report/format.h"
 #include "core/report/sections.h"
 
@@ -35,6 +36,11 @@ std::string Probability(double p) {
   if (std::isnan(p)) return "-";
   if (p < 1e-99) return "<1e-99";
   return p < 1e-3 ? fmt::format("{:.1e}", p) : fmt::format("{:.3f}", p);
+}
+
+/// "= 0.02", or "< 1e-99" as it is.
+std::string Equals(const std::string& probability) {
+  return probability[0] == '<' ? "< " + probability.substr(1) : "= " + probability;
 }
 
 /// How a quantity is printed.
@@ -73,46 +79,48 @@ std::string RowsInWords(const std::vector<int>& rows) {
   return fmt::format("{}{}", fmt::join(words, ", "), more > 0 ? " " + AndMore(more) : "");
 }
 
-Paragraph InShort(const DiagnosisResult& d) {
-  Paragraph text{{fmt::format("In short: {}.", d.summary)}, ""};
+Paragraph InShort(const MeasurementKind& kind, const DiagnosisResult& d) {
+  Paragraph text{{Capitalised(d.summary) + "."}, ""};
   // Nothing was measured where the complete geometry has no fit; the summary says so.
   if (!d.answered()) return text;
   const Misfit& m = d.misfit;
   const std::string noise =
       m.noise_known
-          ? fmt::format("known noise of {}", WithMillimetres(m.noise_sigma))
+          ? fmt::format("the noise is {}", WithMillimetres(InSpace(kind, m.noise_sigma)))
           : fmt::format(
-                "noise not given (RMS with the geometry's freedoms counted {}), so only the "
-                "pattern of the residuals speaks, not their size",
-                WithMillimetres(m.noise_sigma));
+                "the noise is not given (the residuals suggest {}), so only their pattern speaks, "
+                "not their size",
+                WithMillimetres(InSpace(kind, m.noise_sigma)));
   std::string misfit = fmt::format(
-      "Complete geometry leaves {} RMS per coordinate over {} rows; {}. Probability that noise "
-      "alone looks like this: {} (alarm below {:g}).",
-      WithMillimetres(m.rms),
+      "The complete geometry alone leaves {} ({}, {} rows); {}. Probability that noise alone looks "
+      "like this: {} (alarm below {:g}).",
+      WithMillimetres(InSpace(kind, m.rms)),
+      ErrorName(kind),
       m.rows,
       noise,
       Probability(m.p_value, m.p_floor),
       d.false_alarm);
   if (m.outliers > 0) {
     misfit +=
-        fmt::format(" {} set aside: {}.", Counted(m.outliers, "row"), RowsInWords(m.outlier_rows));
+        fmt::format(" {} excluded: {}.", Counted(m.outliers, "row"), RowsInWords(m.outlier_rows));
   }
   text.lines.push_back(misfit);
   return text;
 }
 
 /// "" where it is not known.
-std::string BeforeAfter(const Finding& f) {
+std::string WithoutAndWith(const MeasurementKind& kind, const Finding& f) {
   if (std::isnan(f.rms_train_before)) return "";
-  std::string text = fmt::format("RMS on fitted rows {} -> {} mm",
-                                 Millimetres(f.rms_train_before),
-                                 Millimetres(f.rms_train_after));
+  const auto shown = [&](double rms) { return WithMillimetres(InSpace(kind, rms)); };
+  std::string text = fmt::format("Without this effect {}, with it {} ({}, fitted rows)",
+                                 shown(f.rms_train_before),
+                                 shown(f.rms_train_after),
+                                 ErrorName(kind));
   if (!std::isnan(f.rms_test_before)) {
-    text += fmt::format(", on rows not fitted {} -> {} mm",
-                        Millimetres(f.rms_test_before),
-                        Millimetres(f.rms_test_after));
+    text += fmt::format(
+        "; {} and {} on rows not fitted", shown(f.rms_test_before), shown(f.rms_test_after));
   }
-  return text + fmt::format(" (p = {}).", Probability(f.p_value));
+  return text + fmt::format(" (p {}).", Equals(Probability(f.p_value)));
 }
 
 /// "10.0, -20.0 deg"; with a prismatic joint each its own unit: "10.0 deg, 250.0 mm".
@@ -152,25 +160,20 @@ std::vector<ListItem> Advice(const RobotModel& robot, const Finding& f) {
   return {{f.separating_advice + ".", "Measure next,", poses}};
 }
 
-ListItem FindingItem(const RobotModel& robot, const Finding& f) {
-  std::string sentence = f.sentence;
-  if (!sentence.empty()) sentence[0] = static_cast<char>(std::toupper(sentence[0]));
+ListItem FindingItem(const RobotModel& robot, const MeasurementKind& kind, const Finding& f) {
   const std::string driver =
       f.driver == "constant" ? "the same at all poses" : "driven by " + f.driver;
-  ListItem item{sentence + ".", "", {}};
+  ListItem item{Capitalised(f.sentence) + ".", "", {}};
   item.parts.push_back(
-      {fmt::format(
-           "{}: {}, {}, class {}.", InstanceName(f.effect), f.location, driver, f.effect_class),
-       "",
-       {}});
-  const std::string rms = BeforeAfter(f);
+      {fmt::format("{} ({}, {}).", InstanceName(f.effect), f.location, driver), "", {}});
+  const std::string rms = WithoutAndWith(kind, f);
   if (!rms.empty()) item.parts.push_back({rms, "", {}});
   for (const std::string& caution : f.cautions) {
     item.parts.push_back({caution + ".", "Caution:", {}});
   }
   if (!f.confusable_with.empty()) {
     item.parts.push_back(
-        {ConfusableWords(f.confusable_with), "These poses do not tell it from:", {}});
+        {ConfusableWords(f.confusable_with), "These poses cannot distinguish it from:", {}});
   }
   for (const ListItem& advice : Advice(robot, f)) item.parts.push_back(advice);
   return item;
@@ -178,23 +181,28 @@ ListItem FindingItem(const RobotModel& robot, const Finding& f) {
 
 /// How all that was found does together, as far as it is known: where only geometry was found there
 /// is no refit, and the numbers are of the file's own geometry and the complete one.
-std::string TogetherWords(const DiagnosisResult& d) {
+std::string TogetherWords(const MeasurementKind& kind, const DiagnosisResult& d) {
   if (std::isnan(d.rms_test_before)) return "";
-  const std::string unseen = fmt::format("on rows not fitted ({}) {} -> {} mm",
-                                         d.validation_method,
-                                         Millimetres(d.rms_test_before),
-                                         Millimetres(d.rms_test_after));
-  if (std::isnan(d.rms_train_before)) return fmt::format("Complete geometry: RMS {}.", unseen);
-  return fmt::format("All physics together: RMS on fitted rows {} -> {} mm; {}.",
-                     Millimetres(d.rms_train_before),
-                     Millimetres(d.rms_train_after),
-                     unseen);
+  const auto shown = [&](double rms) { return WithMillimetres(InSpace(kind, rms)); };
+  const std::string unseen = fmt::format("{} instead of {} on rows not fitted ({})",
+                                         shown(d.rms_test_after),
+                                         shown(d.rms_test_before),
+                                         d.validation_method);
+  if (std::isnan(d.rms_train_before)) {
+    return fmt::format("Complete geometry: {} ({}).", unseen, ErrorName(kind));
+  }
+  return fmt::format("All together: {} instead of {} on fitted rows, {} ({}).",
+                     shown(d.rms_train_after),
+                     shown(d.rms_train_before),
+                     unseen,
+                     ErrorName(kind));
 }
 
-std::string RestWords(const Unexplained& rest) {
-  return fmt::format("{:.0f} % of the misfit ({} RMS per coordinate); largest at {} against {}.",
+std::string RestWords(const MeasurementKind& kind, const Unexplained& rest) {
+  return fmt::format("{:.0f} % of the misfit ({}, {}); largest at {}, where it depends on {}.",
                      100 * rest.fraction,
-                     WithMillimetres(rest.rms),
+                     WithMillimetres(InSpace(kind, rest.rms)),
+                     ErrorName(kind),
                      rest.slot,
                      rest.driver);
 }
@@ -232,10 +240,10 @@ Figure CurveFigure(const Unexplained& rest) {
 
 Table MovedTable(const std::vector<MovedParameter>& moved) {
   Table table;
-  table.title = "Corrections that had swallowed part of it";
+  table.title = "Corrections of the geometry that the missing effects had biased";
   table.columns = {{"parameter", "", 20, Table::Align::kLeft},
-                   {"without", "mm, mrad"},
-                   {"with the effects", "mm, mrad"},
+                   {"without them", "mm, mrad"},
+                   {"with them", "mm, mrad"},
                    {"+-", "mm, mrad"}};
   for (const MovedParameter& p : moved) {
     const int decimals = DecimalsOf(p.sigma / kMilli, 4);
@@ -249,7 +257,6 @@ Table MovedTable(const std::vector<MovedParameter>& moved) {
 
 Table MapTable(const std::vector<MapEntry>& map) {
   Table table;
-  table.title = "Mismatch map (strongest of all places and drivers; more of it is in result.json)";
   table.columns = {{"where", "", 12, Table::Align::kLeft},
                    {"driven by", "", 34, Table::Align::kLeft},
                    {"statistic", ""},
@@ -274,13 +281,13 @@ bool IsLimit(double limit) { return std::isnan(limit) || (std::isfinite(limit) &
 Table HiddenTable(const std::vector<HiddenRisk>& hidden) {
   Table table;
   table.title =
-      "What these rows cannot exclude, and the largest error that it may cause at other poses "
-      "(95 %, geometry refitted; joints 120 deg around the recorded middle):";
-  table.columns = {{"not excluded", "", 44, Table::Align::kLeft},
+      "Effects that could still be hidden, and the error (3-D) that each could cause elsewhere "
+      "(95 %, geometry refitted; joints within 120 deg around the recorded middle)";
+  table.columns = {{"effect", "", 44, Table::Align::kLeft},
                    {"visible", "part"},
-                   {"smallest found", "SI"},
+                   {"smallest found", ""},
                    {"unit", "", 22, Table::Align::kLeft},
-                   {"risk elsewhere", "mm"}};
+                   {"error elsewhere", "mm"}};
   for (const HiddenRisk& risk : hidden) {
     if (table.rows.size() == kMostHidden) break;
     if (!IsLimit(risk.limit)) continue;
@@ -303,16 +310,20 @@ std::string NotTestableWords(const std::vector<NotTestable>& entries) {
 }
 
 /// What was found, and how far it goes.
-std::vector<Block> Found(const RobotModel& robot, const DiagnosisResult& d) {
-  std::vector<Block> blocks = {InShort(d)};
+std::vector<Block> Found(const RobotModel& robot,
+                         const MeasurementKind& kind,
+                         const DiagnosisResult& d) {
+  std::vector<Block> blocks = {InShort(kind, d)};
   List findings;
   findings.kind = List::Kind::kNumbers;
-  for (const Finding& finding : d.findings) findings.items.push_back(FindingItem(robot, finding));
+  for (const Finding& finding : d.findings) {
+    findings.items.push_back(FindingItem(robot, kind, finding));
+  }
   if (!findings.items.empty()) blocks.emplace_back(findings);
-  const std::string together = TogetherWords(d);
+  const std::string together = TogetherWords(kind, d);
   if (!together.empty()) blocks.emplace_back(Paragraph{{together}, ""});
   if (d.unexplained) {
-    blocks.emplace_back(Paragraph{{RestWords(*d.unexplained)}, "Not explained:"});
+    blocks.emplace_back(Paragraph{{RestWords(kind, *d.unexplained)}, "Not explained:"});
     if (!d.unexplained->curve.empty()) {
       blocks.emplace_back(CurveTable(*d.unexplained));
       blocks.emplace_back(CurveFigure(*d.unexplained));
@@ -325,11 +336,11 @@ std::vector<Block> Found(const RobotModel& robot, const DiagnosisResult& d) {
 /// What was looked at besides, and what could not be.
 std::vector<Block> LookedAt(const DiagnosisResult& d) {
   std::vector<Block> blocks;
-  if (d.misfit.p_value <= d.false_alarm && !d.map.empty()) blocks.emplace_back(MapTable(d.map));
   const Table hidden = HiddenTable(d.hidden);
   if (!hidden.rows.empty()) blocks.emplace_back(hidden);
   if (!d.not_testable.empty()) {
-    blocks.emplace_back(Paragraph{{NotTestableWords(d.not_testable)}, "Not testable here:"});
+    blocks.emplace_back(
+        Paragraph{{NotTestableWords(d.not_testable)}, "Could not be tested with this recording:"});
   }
   List notes;
   notes.kind = List::Kind::kBullets;
@@ -338,12 +349,41 @@ std::vector<Block> LookedAt(const DiagnosisResult& d) {
   return blocks;
 }
 
+/// Why there is no diagnosis; a note says it where it had not ended.
+Section NotLookedFor(const ProblemSpec& spec, const Result& result) {
+  if (result.best() == nullptr) return {};
+  std::string why;
+  if (spec.diagnosis.run == DiagnosisRun::kNever) {
+    why = "Not looked for: the problem file or --diagnosis says never.";
+  } else if (result.noise_free) {
+    why =
+        "Not looked for: the residuals are smaller than any instrument's noise, so the recording "
+        "is a simulation without noise and without left-out physics.";
+  }
+  return why.empty() ? Section() : Section{"UNMODELLED EFFECTS", {Paragraph{{why}, ""}}};
+}
+
 }  // namespace
 
-Section DiagnosisSection(const ProblemSpec& spec, const Result& result) {
+Section MapSection(const Result& result) {
   if (!result.diagnosis) return {};
   const DiagnosisResult& d = *result.diagnosis;
-  Section section{"LEFT-OUT PHYSICS: " + Upper(ToString(d.verdict)), Found(spec.robot, d)};
+  if (d.map.empty() || d.misfit.p_value > d.false_alarm) return {};
+  return {"APPENDIX: MISMATCH MAP",
+          {Paragraph{{"The strongest of all places and drivers, each alone, before any effect was "
+                      "taken out; more of it is in result.json."},
+                     ""},
+           MapTable(d.map)}};
+}
+
+std::string DiagnosisTitle(const DiagnosisResult& diagnosis) {
+  return "UNMODELLED EFFECTS: " + Upper(ToString(diagnosis.verdict));
+}
+
+Section DiagnosisSection(const ProblemSpec& spec, const Result& result) {
+  if (!result.diagnosis) return NotLookedFor(spec, result);
+  const DiagnosisResult& d = *result.diagnosis;
+  Section section{DiagnosisTitle(d), Found(spec.robot, result.kind, d)};
   for (const Block& block : LookedAt(d)) section.blocks.push_back(block);
   return section;
 }

@@ -1,6 +1,7 @@
 #include "core/report/format.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <vector>
 
@@ -44,9 +45,10 @@ std::string Scientific(double value, int decimals) {
 
 std::string Millimetres(double metres) {
   constexpr int kDigits = 4;
+  constexpr double kSmallest = 1e-4;  // [mm] nobody measures less
   const double mm = metres / kMillimetre;
   if (mm == 0) return "0";
-  if (std::abs(mm) < 1e-4) return Scientific(mm, 2);
+  if (std::abs(mm) < kSmallest) return "<0.0001";
   if (!std::isfinite(mm) || std::abs(mm) >= 1e7) return Fixed(mm, 0);
   return Fixed(mm, std::max(0, kDigits - 1 - ExponentOf(mm, kDigits)));
 }
@@ -62,6 +64,11 @@ int DecimalsOf(double sigma, int otherwise) {
 
 std::string AndMore(std::size_t count) {
   return fmt::format("... and {} more in result.json", count);
+}
+
+std::string Capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
 }
 
 std::string Counted(int count, const std::string& singular) {

@@ -15,7 +15,7 @@ std::string FixedWithin(double value, int decimals, int width);
 /// "1.23e-05", "-" for NaN.
 std::string Scientific(double value, int decimals);
 
-/// Four significant digits in millimetres without the unit; scientific below 1e-4 mm.
+/// Four significant digits in millimetres without the unit; "<0.0001" below that.
 std::string Millimetres(double metres);
 
 /// "0.02130 mm", or "not known" for NaN.
@@ -27,6 +27,9 @@ int DecimalsOf(double sigma, int otherwise);
 
 /// "... and 12 more in result.json".
 std::string AndMore(std::size_t count);
+
+/// Begins a sentence: "joint 2 is ..." -> "Joint 2 is ...".
+std::string Capitalised(std::string text);
 
 /// "1 row", "2 rows".
 std::string Counted(int count, const std::string& singular);

@@ -25,13 +25,14 @@ std::string RankSentence(const FitResult& fit) {
   if (fit.rank < 0 || fit.columns < 0) return "";
   const auto determined = fit.columns - static_cast<int>(fit.null_space.size());
   std::string text = fmt::format(
-      "Of {} directions of the parameters the readings determine {} better "
-      "than manufacture does; the solver changed {}",
-      fit.columns,
+      "{} of {} independent combinations of the parameters are measured more closely than "
+      "manufacture determines them, {} are not",
       determined,
-      fit.rank);
-  if (fit.rank_numerical >= 0) {
-    text += fmt::format("; the readings respond to {} at all", fit.rank_numerical);
+      fit.columns,
+      fit.columns - determined);
+  if (fit.rank != determined) text += fmt::format("; the solver changed {}", fit.rank);
+  if (fit.rank_numerical >= 0 && fit.rank_numerical != determined) {
+    text += fmt::format("; {} change the readings at all", fit.rank_numerical);
   }
   return text + ".";
 }
@@ -99,7 +100,7 @@ std::string ParameterText(const ParameterResult& parameter,
 List DoubtfulParameters(const FitResult& fit, const std::vector<NullDirection>& null_space) {
   List list;
   list.kind = List::Kind::kBullets;
-  list.title = "Parameters that cannot be trusted by themselves:";
+  list.title = "Parameters that cannot be trusted one by one:";
   for (const ParameterResult& parameter : fit.parameters) {
     if (parameter.verdict == Verdict::kIdentified || parameter.verdict == Verdict::kFixed) continue;
     if (!CurveOf(parameter.name).empty()) continue;
@@ -179,14 +180,22 @@ Figure SpectrumFigure(const FitResult& fit) {
 Section IdentifiabilitySection(const Result& result) {
   const FitResult* const fit = result.delivered_fit();
   if (fit == nullptr) return {};
-  Section section{"WHAT THE READINGS CANNOT TELL", {}};
+  Section section{"WHAT THIS DATA CANNOT DETERMINE", {}};
   const std::string rank = RankSentence(*fit);
   if (!rank.empty()) section.blocks.push_back(Paragraph{{rank}, ""});
   const std::vector<NullDirection> null_space = WithoutCurves(fit->null_space);
-  for (const List& list :
-       {NullSpaceList(null_space), DoubtfulParameters(*fit, null_space), QualityNumbers(*fit)}) {
+  for (const List& list : {NullSpaceList(null_space), DoubtfulParameters(*fit, null_space)}) {
     if (!list.items.empty()) section.blocks.push_back(list);
   }
+  return section;
+}
+
+Section QualitySection(const Result& result) {
+  const FitResult* const fit = result.delivered_fit();
+  if (fit == nullptr) return {};
+  Section section{"APPENDIX: QUALITY OF THE POSES", {}};
+  const List numbers = QualityNumbers(*fit);
+  if (!numbers.items.empty()) section.blocks.push_back(numbers);
   const Figure spectrum = SpectrumFigure(*fit);
   if (!spectrum.series.empty()) section.blocks.push_back(spectrum);
   return section;

@@ -36,7 +36,7 @@ std::string RowsText(const Result& result) {
   std::string text = fmt::format("{} fitted", std::max(result.rows, 0));
   if (result.rows_test > 0) text += fmt::format(", {} kept unseen", result.rows_test);
   if (!result.rows_set_aside.empty()) {
-    text += fmt::format(", {} set aside (see below)", result.rows_set_aside.size());
+    text += fmt::format(", {} excluded (see below)", result.rows_set_aside.size());
   }
   if (result.num_poses >= 0) text += fmt::format(", from {}", Counted(result.num_poses, "pose"));
   return text;

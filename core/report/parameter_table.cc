@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/report/format.h"
 #include "core/report/sections.h"
@@ -61,13 +62,18 @@ std::vector<std::string> ParameterRow(const ParameterResult& parameter, const Pr
           ToString(parameter.verdict)};
 }
 
-/// The parameters of one unit; without rows where there are none.
-Table UnitTable(const FitResult& fit, Unit unit, bool noise_free) {
+/// Where the instrument and the tool stand, which says nothing of the robot.
+bool IsOfFrames(const ParameterResult& parameter) {
+  return StartsWith(parameter.name, "base_") || StartsWith(parameter.name, "tool_");
+}
+
+/// The parameters of one unit, of the robot or of base and tool; without rows where there are none.
+Table UnitTable(const FitResult& fit, Unit unit, bool of_frames, bool noise_free) {
   const PrintedUnits units = UnitsOf(unit, noise_free);
   const char* const small = units.correction_name;
   constexpr auto point = Table::Align::kPoint;
   Table table;
-  table.title = units.title;
+  table.title = fmt::format("{} of {}", units.title, of_frames ? "base and tool" : "the robot");
   table.columns = {{"parameter", "", kNameWidth, Table::Align::kLeft},
                    {"nominal", units.value_name, kValueWidth, point},
                    {"correction", small, kNumberWidth, point},
@@ -79,6 +85,7 @@ Table UnitTable(const FitResult& fit, Unit unit, bool noise_free) {
   std::size_t count = 0;
   for (const ParameterResult& parameter : fit.parameters) {
     if (parameter.unit != unit || parameter.verdict == Verdict::kFixed) continue;
+    if (IsOfFrames(parameter) != of_frames) continue;
     if (++count <= kMostTableRows) table.AddRow(ParameterRow(parameter, units));
   }
   if (count > kMostTableRows) table.AddLeftOut(count - kMostTableRows);
@@ -126,7 +133,7 @@ std::string HeldWords(const FitResult& fit) {
     names.resize(kMostFixedNames);
     names.push_back(AndMore(total - kMostFixedNames));
   }
-  return fmt::format("Held at their nominal values: {}", fmt::join(names, ", "));
+  return fmt::format("Not estimated: {}", fmt::join(names, ", "));
 }
 
 /// For which parameters the intervals hold.
@@ -134,8 +141,8 @@ std::string IntervalWords(const Result& result, const FitResult& fit) {
   const IntervalVerdict intervals =
       result.delivered ? result.delivered->intervals : result.intervals;
   if (intervals == IntervalVerdict::kHold) {
-    return "Sigma and the 95 % interval are those of the correction. They hold for the "
-           "parameters called identified; for the others see the next section.";
+    return "Sigma and the 95 % interval are those of the correction. They hold for the parameters "
+           "called identified; for the others see the next section.";
   }
   const bool with_effects = std::any_of(
       fit.parameters.begin(), fit.parameters.end(), [](const ParameterResult& parameter) {
@@ -151,7 +158,7 @@ std::string IntervalWords(const Result& result, const FitResult& fit) {
       "Sigma and the 95 % interval are those of the correction. {}, not even for the parameters "
       "called identified: what is left out has moved parameters{}.",
       why,
-      diagnosed ? ", see LEFT-OUT PHYSICS" : "");
+      diagnosed ? ", see UNMODELLED EFFECTS" : "");
 }
 
 /// Whose parameters these are.
@@ -184,8 +191,11 @@ Section ParameterSection(const Result& result) {
     section.blocks.push_back(Paragraph{{DeliveredWords(*result.delivered)}, ""});
   }
   section.blocks.push_back(Paragraph{{IntervalWords(result, *fit)}, ""});
-  for (const Table& table : {UnitTable(*fit, Unit::kRadian, result.noise_free),
-                             UnitTable(*fit, Unit::kMetre, result.noise_free),
+  const bool noise_free = result.noise_free;
+  for (const Table& table : {UnitTable(*fit, Unit::kRadian, false, noise_free),
+                             UnitTable(*fit, Unit::kMetre, false, noise_free),
+                             UnitTable(*fit, Unit::kRadian, true, noise_free),
+                             UnitTable(*fit, Unit::kMetre, true, noise_free),
                              EffectTable(*fit)}) {
     if (!table.rows.empty()) section.blocks.push_back(table);
   }

@@ -29,13 +29,15 @@ std::vector<Section> Sections(const ProblemSpec& spec, const Result& result) {
           SetAsideSection(result),
           OutcomeSection(result),
           DiagnosisSection(spec, result),
-          SolverSection(result),
           ParameterSection(result),
           IdentifiabilitySection(result),
-          ComparisonSection(result),
           ValidationSection(result),
           ResidualSection(result),
-          NotesSection(result)};
+          NotesSection(result),
+          SolverSection(result),
+          ComparisonSection(result),
+          QualitySection(result),
+          MapSection(result)};
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ Section SetAsideSection(const Result& result) {
   if (result.rows_set_aside.size() > kMostSetAside) {
     table.AddLeftOut(result.rows_set_aside.size() - kMostSetAside);
   }
-  return {"ROWS SET ASIDE",
+  return {"EXCLUDED ROWS",
           {Paragraph{{"These rows do not fit any model of the others: they are neither fitted nor "
                       "tested with. Check how they were taken."},
                      ""},

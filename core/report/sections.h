@@ -34,6 +34,12 @@ Section ParameterSection(const Result& result);
 /// What the readings cannot tell of the model that is delivered.
 Section IdentifiabilitySection(const Result& result);
 
+/// How well the poses determine the parameters, in indices, singular values and checks.
+Section QualitySection(const Result& result);
+
+/// Which places and drivers the residuals of the geometry point at.
+Section MapSection(const Result& result);
+
 /// Differences of the two solvers, those that no reading can see apart.
 Section ComparisonSection(const Result& result);
 
@@ -42,6 +48,9 @@ Section ValidationSection(const Result& result);
 
 /// The rows that fit worst.
 Section ResidualSection(const Result& result);
+
+/// "UNMODELLED EFFECTS: PARTLY EXPLAINED".
+std::string DiagnosisTitle(const DiagnosisResult& diagnosis);
 
 /// What physics was left out, how sure that is, and what stays hidden.
 Section DiagnosisSection(const ProblemSpec& spec, const Result& result);

@@ -102,10 +102,11 @@ Section SolverSection(const Result& result) {
   for (const FitResult& fit : result.fits) {
     endings.items.push_back({Brief(fit), SolverName(fit.solver), {{fit.message, "", {}}}});
   }
-  Section section{"SOLVERS", {endings}};
+  Section section{"APPENDIX: SOLVERS", {endings}};
   if (result.best() != nullptr && result.fits.size() > 1) {
     section.blocks.push_back(Paragraph{
-        {fmt::format("What follows is the result of {}.", SolverName(result.best()->solver))}, ""});
+        {fmt::format("The results above are those of {}.", SolverName(result.best()->solver))},
+        ""});
   }
   for (const FitResult& fit : result.fits) {
     if (!fit.trace.empty()) section.blocks.push_back(TraceTable(fit));

@@ -38,11 +38,40 @@ void FitAgain(const ProblemSpec& spec,
   *result = std::move(again);
 }
 
+void Widen(double times, ParameterResult* p) {
+  p->sigma *= times;
+  p->ci95_low = p->value + times * (p->ci95_low - p->value);
+  p->ci95_high = p->value + times * (p->ci95_high - p->value);
+}
+
+/// Remarks on the rows, and the sigmas that these allow.
+void Finish(const ProblemSpec& spec, const Recording& recording, Result* result) {
+  const Widening widening = WideningOf(recording, *result);
+  for (std::string& remark : Remarks(spec, recording, *result, widening)) {
+    result->notes.push_back(std::move(remark));
+  }
+  for (FitResult& fit : result->fits) {
+    for (ParameterResult& p : fit.parameters) Widen(widening.all(), &p);
+  }
+  if (result->delivered) {
+    for (ParameterResult& p : result->delivered->fit.parameters) Widen(widening.all(), &p);
+  }
+}
+
+/// What is worth keeping if the diagnosis does not come to its end.
+Result GeometryAlone(const ProblemSpec& spec, const Recording& recording, Result result) {
+  result.notes.emplace_back(
+      "The search for left-out physics had not ended when this was written: nothing is known of "
+      "it. Run the program to its end, or with --diagnosis never.");
+  Finish(spec, recording, &result);
+  return result;
+}
+
 Result WithDiagnosis(const ProblemSpec& spec,
                      const Recording& recording,
-                     const Progress& progress,
+                     const Watch& watch,
                      std::optional<CuredFiles>* cured) {
-  Result result = IdentifyGeometry(spec, recording, progress);
+  Result result = IdentifyGeometry(spec, recording, watch.progress);
   SetupJudgement judgement = JudgeSetup(spec, recording, result);
   result.setup = std::move(judgement.setup);
   if (!result.setup.plausible) {
@@ -51,13 +80,16 @@ Result WithDiagnosis(const ProblemSpec& spec,
     return result;
   }
   if (!WantsDiagnosis(spec, result)) return result;
-  result.diagnosis = Guarded([&] { return Diagnose(spec, recording, result, progress); });
+  if (watch.geometry && result.best() != nullptr) {
+    watch.geometry(GeometryAlone(spec, recording, result));
+  }
+  result.diagnosis = Guarded([&] { return Diagnose(spec, recording, result, watch.progress); });
   const std::vector<int> rows = result.diagnosis->misfit.outlier_rows;
   const Recording marked = rows.empty() ? Recording() : WithSetAside(recording, rows);
   const Recording& used = rows.empty() ? recording : marked;
-  if (!rows.empty()) FitAgain(spec, used, progress, &result);
+  if (!rows.empty()) FitAgain(spec, used, watch.progress, &result);
   try {
-    Deliver(spec, used, progress, &result);
+    Deliver(spec, used, watch.progress, &result);
   } catch (const std::exception& error) {
     result.delivered.reset();
     result.notes.push_back(fmt::format(
@@ -70,30 +102,14 @@ Result WithDiagnosis(const ProblemSpec& spec,
   return result;
 }
 
-void Widen(double times, ParameterResult* p) {
-  p->sigma *= times;
-  p->ci95_low = p->value + times * (p->ci95_low - p->value);
-  p->ci95_high = p->value + times * (p->ci95_high - p->value);
-}
-
 }  // namespace
 
 Result Calibrate(const ProblemSpec& spec,
                  const Recording& recording,
-                 const Progress& progress,
+                 const Watch& watch,
                  std::optional<CuredFiles>* cured) {
-  Result result = WithDiagnosis(spec, recording, progress, cured);
-  if (!result.setup.plausible) return result;
-  const Widening widening = WideningOf(recording, result);
-  for (std::string& remark : Remarks(spec, recording, result, widening)) {
-    result.notes.push_back(std::move(remark));
-  }
-  for (FitResult& fit : result.fits) {
-    for (ParameterResult& p : fit.parameters) Widen(widening.all(), &p);
-  }
-  if (result.delivered) {
-    for (ParameterResult& p : result.delivered->fit.parameters) Widen(widening.all(), &p);
-  }
+  Result result = WithDiagnosis(spec, recording, watch, cured);
+  if (result.setup.plausible) Finish(spec, recording, &result);
   return result;
 }
 

@@ -3,15 +3,24 @@
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_CALIBRATE_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_CALIBRATE_H_
 
+#include <functional>
 #include <optional>
 
 #include "core/model/problem_spec.h"
 #include "core/model/recording.h"
 #include "core/model/result.h"
-#include "problems/fit.h"
+#include "problems/progress.h"
 #include "problems/setup/cause.h"
 
 namespace dhcal {
+
+/// Who wants to know of a run before it ends; each may be empty.
+struct Watch {
+  Progress progress;
+  /// Called with the geometry of the problem file, before the diagnosis begins, as a result of its
+  /// own whose notes say that the diagnosis is missing; not where none follows.
+  std::function<void(const Result&)> geometry;
+};
 
 /// The inputs have been checked. Files that cannot belong together end in a result that says why
 /// and holds no calibration; where one cure is certain, `cured` (may be null) gets the files with
@@ -19,7 +28,7 @@ namespace dhcal {
 /// so.
 Result Calibrate(const ProblemSpec& spec,
                  const Recording& recording,
-                 const Progress& progress,
+                 const Watch& watch,
                  std::optional<CuredFiles>* cured = nullptr);
 
 }  // namespace dhcal

@@ -109,7 +109,7 @@ Finding DescribeCompletion(const Completion& completion,
       values.push_back({column->parameter, column->unit, found.value, found.sigma});
     }
   }
-  finding.sentence = effect.Sentence(completion.request, values);
+  finding.sentence = effect.Sentence(context, completion.request, values);
   return finding;
 }
 

@@ -140,7 +140,7 @@ void AddNoteOnMasses(const ProblemSpec& user, Result* result) {
           : "The delivered model has masses of the links that the fit moved within their usual "
             "uncertainty (robot.links of calibrated.yaml); the compliances under PARAMETERS are "
             "for "
-            "these masses, those under LEFT-OUT PHYSICS for the masses as stated.");
+            "these masses, those under UNMODELLED EFFECTS for the masses as stated.");
 }
 
 /// The third prediction of every row, and what it leaves.
@@ -167,6 +167,7 @@ void Deliver(const ProblemSpec& user,
              Result* result) {
   const DiagnosisResult& d = *result->diagnosis;
   if (d.findings.empty() || result->best() == nullptr) return;
+  if (progress) progress({"geometry and effects found, fitted together", kShareAtDelivery});
   const ProblemSpec rigid = WithGeometryFound(user, recording, d);
   ProblemSpec spec = rigid;
   for (const EffectRequest& effect : d.model) {

@@ -35,8 +35,6 @@ using Eigen::VectorXd;
 // Of the false-alarm rate; the rest is for structures without a name.
 constexpr double kShareOfNames = 0.5;
 
-using Say = std::function<void(const std::string&)>;
-
 /// What a joint's readings say of its last motion, in the controller's sense; zeros without rows.
 MatrixXd DirectionsOf(const ProblemSpec& spec, const Recording& recording) {
   const PhysicsContext context(spec.robot, recording, {spec.robot.X_WB});
@@ -251,8 +249,8 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
                          const Result& identified,
                          const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const Say say = [&](const std::string& text) {
-    if (progress) progress("diagnosis: " + text);
+  const auto say = [&](const std::string& text, double share) {
+    if (progress) progress({"left-out physics: " + text, share});
   };
   DiagnosisResult d;
   d.false_alarm = spec.diagnosis.false_alarm;
@@ -267,10 +265,10 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   }
   const JointModel model(spec, recording);
   LoopInputs inputs = InputsOf(spec, identified, model, distinct.averaged, progress, &d);
-  inputs.say = say;
+  inputs.progress = progress;
   Loop loop(inputs);
   LoopOutcome outcome = loop.Run();
-  say("what unseen rows say");
+  say("rows that were not fitted", kShareAtUnseen);
   TakeBack(model, loop, &outcome, &d);
   AddNotesOnRows(loop, outcome, &d);
 
@@ -346,7 +344,7 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   AddHypotheses(outcome, &d);
   const PhysicsContext context(spec.robot, recording, {spec.robot.X_WB});
   AddNotTestable(spec, context, &d);
-  say("what is hidden");
+  say("what could stay hidden", kShareAtHidden);
   AddHiddenRisks(model, searched, outcome.rule, last.rest, &d);
   d.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return d;

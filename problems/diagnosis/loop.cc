@@ -233,10 +233,10 @@ JointRows Loop::Eliminate(JointState start,
 
 LoopOutcome Loop::Run() {
   const std::vector<int> all = model_.AllUnknowns();
-  const auto say = [&](const std::string& text) {
-    if (in_.say) in_.say(text);
+  const auto say = [&](const std::string& text, double share) {
+    if (in_.progress) in_.progress({"left-out physics: " + text, share});
   };
-  say("a robust first model");
+  say("first model", kShareAtStart);
   RobustStart();
   JointRows joint = FitJointly(model_, model_.Start(), Choice(), all, kFarSteps);
   const auto taken_up = [&](const Found& found, const JointState& from) {
@@ -261,7 +261,8 @@ LoopOutcome Loop::Run() {
     });
   };
   for (int round = 0; round < kTuning.rounds; ++round) {
-    say(fmt::format("round {} of search and joint fit", round + 1));
+    say(fmt::format("search, round {}", round + 1),
+        kShareAtRounds + (kShareAfterRounds - kShareAtRounds) * round / kTuning.rounds);
     const Found found = SearchAt(joint, all, {}, false);
     names_ = found.names;
     const JointState before = joint.state;
@@ -282,7 +283,7 @@ LoopOutcome Loop::Run() {
   joint = Eliminate(joint.state, all, Choice(), kNearSteps, &completions);
   std::vector<int> geometry = all;
   if (!in_.completions.empty()) {
-    say("with the geometry that the file frees");
+    say("with the geometry of the problem file", kShareAfterRounds);
     geometry = in_.file_unknowns;
     const Found found = SearchAt(joint, geometry, in_.completions, false);
     JointState state = taken_up(found, joint.state);
@@ -297,7 +298,7 @@ LoopOutcome Loop::Run() {
     }
     joint = Eliminate(state, geometry, Choice(), kNearSteps, &completions);
   }
-  say("what else would do");
+  say("alternatives", kShareAtAlternatives);
   const Found alternatives = SearchAt(joint, geometry, in_.completions, true);
   LoopOutcome outcome;
   outcome.listed = alternatives.listed;

@@ -4,7 +4,6 @@
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_LOOP_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_LOOP_H_
 
-#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "problems/diagnosis/refit/joint_fit.h"
 #include "problems/diagnosis/refit/joint_model.h"
 #include "problems/diagnosis/search/beam.h"
+#include "problems/progress.h"
 
 namespace dhcal {
 
@@ -29,7 +29,7 @@ struct LoopInputs {
   double readings_per_pose = 1;  // rows that are one draw together
   Eigen::VectorXd quanta;        // of the joints' read-out
   Noise noise;                   // stated, or a first guess
-  std::function<void(const std::string&)> say;
+  Progress progress;
 };
 
 struct LoopOutcome {

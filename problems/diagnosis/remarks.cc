@@ -55,6 +55,12 @@ double WidenedByPoses(const Recording& recording, const Result& result) {
   return factor > kShared ? std::sqrt(factor) : 1;
 }
 
+/// "3.2", "510": two digits.
+std::string TimesText(double factor) {
+  return factor < 10 ? fmt::format("{:.1f}", factor)
+                     : fmt::format("{:.0f}", factor < 100 ? factor : 10 * std::round(factor / 10));
+}
+
 /// Of a stated noise, by the model that is delivered.
 void RemarkOnSigma(const Result& result,
                    const Widening& widening,
@@ -64,23 +70,24 @@ void RemarkOnSigma(const Result& result,
   const double ratio = std::sqrt(fit->chi2_reduced);
   const double shown = ratio * result.noise_sigma / kMillimetre;
   const double stated = result.noise_sigma / kMillimetre;
+  if (result.noise_free) return;  // a simulation, whose stated noise is that of another one
   if (ratio * kContradicts < 1 && fit->chi2_p > 1 - kNoChance) {
     remarks->push_back(fmt::format(
-        "The residuals are {:.2g} times smaller than the stated noise of {:.3g} mm (reduced "
+        "The residuals are {} times smaller than the stated noise of {:.3g} mm (reduced "
         "chi-square {:.2g}, which no chance gives). They show {:.3g} mm: with that as "
-        "measurement.sigma_mm the intervals would be {:.2g} times narrower, more parameters would "
+        "measurement.sigma_mm the intervals would be {} times narrower, more parameters would "
         "be identified, and smaller effects found.",
-        1 / ratio,
+        TimesText(1 / ratio),
         stated,
         fit->chi2_reduced,
         shown,
-        1 / ratio));
+        TimesText(1 / ratio)));
   } else if (widening.by_noise > 1) {
     remarks->push_back(fmt::format(
-        "The residuals are {:.2g} times larger than the stated noise of {:.3g} mm (reduced "
+        "The residuals are {} times larger than the stated noise of {:.3g} mm (reduced "
         "chi-square {:.3g}, which no chance gives), without any pattern. The sigmas of parameters "
         "were widened as much.",
-        ratio,
+        TimesText(ratio),
         stated,
         fit->chi2_reduced));
   }

@@ -1,5 +1,7 @@
 // The program as a user runs it: exit status, what it prints, what it writes.
 
+#include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -20,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -85,9 +88,13 @@ TEST_F(Program, WritesTheWholeResultFolderAndPrintsItsReport) {
   EXPECT_EQ(Files("kr15_result"),
             (std::set<std::string>{
                 "calibrated.yaml", "recording.csv", "report.txt", "residuals.csv", "result.json"}));
-  EXPECT_THAT(outcome.out, HasSubstr(ReadAll(folder_ / "work/kr15_result/report.txt")));
-  EXPECT_THAT(outcome.out, HasSubstr("only d2 + d3 is determined: axes 2 and 3 are parallel"));
-  EXPECT_THAT(outcome.out, HasSubstr("theta6 turns about an axis through the measured point"));
+  EXPECT_LT(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 25) << "one screen";
+  EXPECT_THAT(outcome.out, HasSubstr("Files kr15_result/: calibrated.yaml"));
+  const std::string report = ReadAll(folder_ / "work/kr15_result/report.txt");
+  const std::string verbose = Run(Case("kr15") + "--verbose").out;
+  EXPECT_THAT(verbose, HasSubstr(ReadAll(folder_ / "work/kr15_result/report.txt")));
+  EXPECT_THAT(report, HasSubstr("only d2 + d3 is determined: axes 2 and 3 are parallel"));
+  EXPECT_THAT(report, HasSubstr("theta6 turns about an axis through the measured point"));
   const auto fit = Json("kr15_result/result.json")["fits"][0];
   EXPECT_EQ(fit["iterations"], 2);
   EXPECT_EQ(fit["rank"], 23);
@@ -97,6 +104,35 @@ TEST_F(Program, QuietPrintsNothing) {
   const Outcome outcome = Run(Case("kr15") + "--quiet");
   EXPECT_EQ(outcome.exit_status, 0);
   EXPECT_THAT(outcome.out + outcome.err, IsEmpty());
+}
+
+TEST_F(Program, KeepsTheGeometryWhenItIsInterrupted) {
+  std::string problem = ReadAll(SourcePath("problems/cases/kr15_left_out.yaml"));
+  const std::string count = "    poses: 150";
+  ASSERT_NE(problem.find(count), std::string::npos);
+  Write("long.yaml", problem.replace(problem.find(count), count.size(), "    poses: 4000"));
+  // SIGTERM as Ctrl-C: a shell lets its background jobs ignore SIGINT.
+  const std::string command = "cd '" + (folder_ / "work").string() +
+                              "' && ('" DHCAL_PROGRAM
+                              "' --problem long.yaml --out r > ../out 2> ../err & p=$!; "
+                              "while [ ! -e r/result.json ] && kill -0 $p; do sleep 0.02; done; "
+                              "sleep 0.2; "
+                              "kill -TERM $p; wait $p)";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 128 + SIGTERM);
+  EXPECT_THAT(ReadAll(folder_ / "err"), HasSubstr("Interrupted. The geometry is in r/"));
+  EXPECT_EQ(Files("r").count("calibrated.yaml"), 1U);
+  EXPECT_THAT(ReadAll(folder_ / "work/r/report.txt"), HasSubstr("physics had not ended"));
+  EXPECT_FALSE(Json("r/result.json").contains("diagnosis"));
+}
+
+TEST_F(Program, SaysWhereItLookedForARecordingThatIsNotThere) {
+  std::string problem = ReadAll(SourcePath("problems/cases/concealed/D5_kr15_01/problem.yaml"));
+  Write("problem.yaml", problem);
+  Write("recordings.csv", "");
+  const Outcome run = Run("--problem problem.yaml");
+  EXPECT_EQ(run.exit_status, 2);
+  EXPECT_THAT(run.err, ContainsRegex("problem.yaml:[0-9]+:[0-9]+: error: the recording"));
+  EXPECT_THAT(run.err, HasSubstr("/work has no 'recording.csv'; did you mean 'recordings.csv'?"));
 }
 
 TEST_F(Program, DivergedFitExitsWithOneAndStillReports) {

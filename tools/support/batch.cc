@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/report/error_table.h"
+#include "core/report/first_screen.h"
 #include "core/report/report.h"
 #include "core/report/summary_table.h"
 #include "core/report/text_renderer.h"
@@ -24,6 +26,7 @@
 #include "problems/identify.h"
 #include "problems/judgement.h"
 #include "problems/simulate.h"
+#include "tools/support/interrupt.h"
 #include "tools/support/progress_printer.h"
 
 namespace dhcal {
@@ -68,6 +71,7 @@ std::optional<Job> Prepare(const CommandLine& command_line,
   std::optional<ProblemSpec> spec = ReadProblemFile(file, command_line.data_dir, diagnostics);
   if (!spec) return std::nullopt;
   ApplyOverrides(command_line, &*spec, diagnostics);
+  if (!CheckRecordingExists(*spec, diagnostics)) return std::nullopt;
   std::optional<Recording> recording =
       spec->simulate
           ? SimulateRecording(*spec, diagnostics)
@@ -104,14 +108,14 @@ struct Outcome {
 
 /// As the files stand or, where the user wants that and one cure is certain, as they would be
 /// cured: the job then holds the cured files.
-Result RunOrTryFix(bool try_fix, const Progress& progress, Job* job) {
+Result RunOrTryFix(bool try_fix, const Watch& watch, Job* job) {
   std::optional<CuredFiles> cured;
-  Result result = Calibrate(job->spec, job->recording, progress, &cured);
+  Result result = Calibrate(job->spec, job->recording, watch, &cured);
   if (!try_fix || !cured) return result;
   job->spec = std::move(cured->spec);
   job->recording = std::move(cured->recording);
   job->spec.columns.clear();  // what is stored has the program's own names
-  Result again = Calibrate(job->spec, job->recording, progress);
+  Result again = Calibrate(job->spec, job->recording, watch);
   std::vector<SetupCause> causes = std::move(result.setup.causes);
   causes.insert(causes.end(), again.setup.causes.begin(), again.setup.causes.end());
   again.setup.causes = std::move(causes);
@@ -119,14 +123,37 @@ Result RunOrTryFix(bool try_fix, const Progress& progress, Job* job) {
   return again;
 }
 
+/// Geometry that is there long before the diagnosis is written at once, and survives Ctrl-C.
+void KeepGeometry(const Job& job, const Result& geometry, ProgressPrinter* printer) {
+  SayOnInterrupt("\nInterrupted while the geometry was written: " + job.directory +
+                 "/ holds it, or what was there before.\n");
+  Diagnostics diagnostics;  // a folder that cannot be written is told at the end
+  if (!WriteResult(job.spec, job.recording, geometry, job.directory, &diagnostics)) return;
+  const std::string where = "The geometry is in " + job.directory + "/";
+  SayOnInterrupt("\nInterrupted. " + where + "; the search for left-out physics had not ended.\n");
+  printer->Announce(Headline(geometry) + "\n" + where +
+                    ". Now the search for left-out physics; Ctrl-C ends it and keeps the "
+                    "geometry.\n");
+}
+
+/// The first screen, or the whole report.
+void Print(bool verbose, const Job& job, const Result& result, const std::string& folder) {
+  std::cout << ToText(verbose ? ReportOf(job.spec, result)
+                              : FirstScreenOf(job.spec, result, folder))
+            << std::flush;
+  if (verbose && !folder.empty()) std::cout << "Results are in " << folder << "/\n" << std::flush;
+}
+
 Outcome RunJob(const CommandLine& command_line, Job* job) {
   const bool quiet = command_line.quiet;
   ProgressPrinter printer;
-  Progress progress;
-  if (!quiet) progress = [&printer](const std::string& text) { printer(text); };
+  Watch watch;
+  if (!quiet) watch.progress = [&printer](const ProgressStep& step) { printer(step); };
+  watch.geometry = [&](const Result& geometry) { KeepGeometry(*job, geometry, &printer); };
+  SayOnInterrupt("\nInterrupted; nothing was written.\n");
   Outcome outcome;
   outcome.problem = job->spec.name;
-  outcome.result = RunOrTryFix(command_line.try_fix, progress, job);
+  outcome.result = RunOrTryFix(command_line.try_fix, watch, job);
   if (outcome.result.diagnosis && outcome.result.diagnosis->verdict == DiagnosisVerdict::kFailed) {
     std::cerr << job->spec.name << ": warning: " << outcome.result.diagnosis->summary << ".\n";
   }
@@ -134,14 +161,14 @@ Outcome RunJob(const CommandLine& command_line, Job* job) {
   const bool written =
       WriteResult(job->spec, job->recording, outcome.result, job->directory, &diagnostics);
   // Printed when it is safe: who closes the pipe loses nothing.
-  if (!quiet) std::cout << ToText(ReportOf(job->spec, outcome.result)) << std::flush;
+  SayOnInterrupt("");
+  if (!quiet) Print(command_line.verbose, *job, outcome.result, written ? job->directory : "");
   if (!written) {
     std::cerr << diagnostics.ToString();
     outcome.exit_status = kExitBadInput;
     outcome.status = "not written";
     return outcome;
   }
-  if (!quiet) std::cout << "Results are in " << job->directory << "/\n" << std::flush;
   const bool usable = outcome.result.best() != nullptr;
   outcome.exit_status = usable ? kExitOk : kExitNoUsableResult;
   outcome.status = usable ? "ok"

@@ -19,6 +19,7 @@ DEFINE_string(singular_value_tolerance, "", "overrides solver.singular_value_tol
 DEFINE_string(diagnosis, "", "overrides diagnosis.run of the file");
 DEFINE_string(import, "", "a table whose columns are guessed");
 DEFINE_bool(quiet, false, "print nothing but errors");
+DEFINE_bool(verbose, false, "print the whole report");
 DEFINE_bool(try_fix, false, "run on with the cure where the files are wrong");
 
 namespace dhcal {
@@ -43,6 +44,7 @@ constexpr char kHelp[] =
   --import FILE     print which columns a recording probably has, as lines for the problem file to
                     correct; with --problem for the joints of that robot
   --list_effects    print the library of physical effects
+  --verbose         print the whole report (report.txt) instead of its first screen
   --quiet           print nothing but errors
   --version, --help
 
@@ -100,7 +102,7 @@ class Argument {
 
 /// Switches, on by themselves and off with "no" before them.
 const std::set<std::string>& Switches() {
-  static const std::set<std::string> names = {"quiet", "try_fix"};
+  static const std::set<std::string> names = {"quiet", "try_fix", "verbose"};
   return names;
 }
 
@@ -183,6 +185,7 @@ CommandLineStatus ParseCommandLine(int argc, char** argv, CommandLine* command_l
   command_line->singular_value_tolerance = FLAGS_singular_value_tolerance;
   command_line->quiet = FLAGS_quiet;
   command_line->try_fix = FLAGS_try_fix;
+  command_line->verbose = FLAGS_verbose;
   return CommandLineStatus::kRun;
 }
 

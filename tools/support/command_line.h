@@ -17,6 +17,7 @@ struct CommandLine {
   std::string singular_value_tolerance;
   std::string import;  // a table whose columns are guessed, instead of a run
   bool quiet = false;
+  bool verbose = false;
   bool try_fix = false;  // run on with the cure where the files are wrong
 };
 

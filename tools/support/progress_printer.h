@@ -5,18 +5,24 @@
 #include <chrono>
 #include <string>
 
+#include "problems/progress.h"
+
 namespace dhcal {
 
 /// Prints to stderr what it is told, at most about once a second and not in the first two: a short
-/// run stays silent, a long one shows that it lives.
+/// run stays silent, a long one shows that it lives, how far it is and how long it will still take.
 class ProgressPrinter {
  public:
-  void operator()(const std::string& text);
+  void operator()(const ProgressStep& step);
+  /// Printed as soon as anything is, and whole.
+  void Announce(const std::string& text) { announced_ += text; }
 
  private:
   using Clock = std::chrono::steady_clock;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point latest_ = begin_;
+  std::string announced_;
+  double share_ = 0;  // the largest so far
 };
 
 }  // namespace dhcal

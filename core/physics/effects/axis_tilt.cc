@@ -40,10 +40,11 @@ class AxisTiltEffect final : public Effect {
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& request) const override {
     return {"geometry", JointName(request.joint), "constant"};
   }
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& context,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
-    return fmt::format("the axis after joint {} is tilted by {} against parallel",
-                       request.joint,
+    return fmt::format("the axis after {} is tilted by {} against parallel",
+                       JointWords(context, request.joint),
                        Quantity(Find(values, "tilt"), 1e-3, "mrad"));
   }
   WorkedExample Example() const override {

@@ -45,11 +45,13 @@ class AxisWobbleEffect final : public Effect {
             "joint angle"};
   }
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& context,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
-    return fmt::format("the axis of joint {} wobbles {:g} times per turn by {}",
-                       request.joint,
+    return fmt::format("the axis of {} wobbles, {:g} {} per revolution, by {}",
+                       JointWords(context, request.joint),
                        request.setting("order", 2),
+                       request.setting("order", 2) == 1 ? "cycle" : "cycles",
                        Quantity(Amplitude(Find(values, "x"), Find(values, "y")), 1e-6, "urad"));
   }
   WorkedExample Example() const override {

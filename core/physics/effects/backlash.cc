@@ -73,14 +73,15 @@ class BacklashEffect final : public Effect {
             JointName(request.joint),
             ByTorque(request) ? "sign of gravity torque" : "approach direction"};
   }
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& context,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     const EffectValue width = Find(values, "width");
-    return fmt::format("joint {} has play or friction wind-up of {} in all, decided by {}",
-                       request.joint,
-                       Quantity(width, 1e-3, width.unit == "m" ? "mm" : "mrad"),
-                       ByTorque(request) ? "the sign of its gravity torque"
-                                         : "the direction from which it was approached");
+    return fmt::format(
+        "{} has {} of backlash (or friction wind-up), depending on {}",
+        JointWords(context, request.joint),
+        AmountOfJoint(width),
+        ByTorque(request) ? "the sign of its gravity torque" : "the approach direction");
   }
   WorkedExample Example() const override {
     WorkedExample example;

@@ -68,7 +68,8 @@ class BaseComplianceEffect final : public Effect {
   }
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
 
-  std::string Sentence(const EffectRequest& /*request*/,
+  std::string Sentence(const PhysicsContext& /*context*/,
+                       const EffectRequest& /*request*/,
                        const std::vector<EffectValue>& values) const override {
     const EffectValue x = Find(values, "compliance_x"), y = Find(values, "compliance_y");
     if (x.sigma <= 0) {
@@ -78,8 +79,8 @@ class BaseComplianceEffect final : public Effect {
     return fmt::format(
         "the base tilts under the robot's overturning moment, {} about its x axis "
         "and {} about y",
-        Quantity(x, 1e-6, "urad per N m"),
-        Quantity(y, 1e-6, "urad per N m"));
+        Quantity(x, 1e-6, "urad/(N m)"),
+        Quantity(y, 1e-6, "urad/(N m)"));
   }
 
   WorkedExample Example() const override {

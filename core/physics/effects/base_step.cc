@@ -43,7 +43,8 @@ class BaseStepEffect final : public Effect {
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"C6", "base", "time"};
   }
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& /*context*/,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     return fmt::format("base or instrument jumps {}: {}",
                        StepWords(request),

@@ -66,14 +66,16 @@ class GearHarmonicEffect final : public Effect {
     return {order < 3 ? smooth : "C8", JointName(request.joint), "joint angle"};
   }
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& context,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     const double order = request.setting("order", 1);
     const EffectValue amplitude =
         Amplitude(Find(values, WithOrder("sin", order)), Find(values, WithOrder("cos", order)));
-    return fmt::format("joint {} errs periodically, {:.4g} times per turn, with an amplitude of {}",
-                       request.joint,
+    return fmt::format("{} has a periodic error, {:.4g} {} per revolution, amplitude {}",
+                       JointWords(context, request.joint),
                        order,
+                       order == 1 ? "cycle" : "cycles",
                        Quantity(amplitude, 1e-3, "mrad"));
   }
   WorkedExample Example() const override {

@@ -60,12 +60,13 @@ class GravityBalancerEffect final : public Effect {
   }
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
 
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& context,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     return fmt::format(
-        "joint {} is turned by a torque that depends on its own angle alone, as a balancer does: "
-        "{} once and {} twice per turn",
-        request.joint,
+        "{} is turned by a torque that depends on its own angle alone (typical of a gravity "
+        "balancer): {} at one cycle and {} at two cycles per revolution",
+        JointWords(context, request.joint),
         Quantity(Amplitude(Find(values, "sin_1"), Find(values, "cos_1")), 1e-3, "mrad"),
         Quantity(Amplitude(Find(values, "sin_2"), Find(values, "cos_2")), 1e-3, "mrad"));
   }

@@ -91,17 +91,20 @@ class JointComplianceEffect final : public Effect {
     return !UsesMeasuredTorque(request);
   }
 
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& context,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     const EffectValue c = Find(values, "compliance");
-    const char* const load = UsesMeasuredTorque(request) ? "its measured torque" : "gravity";
+    const char* const load = UsesMeasuredTorque(request) ? "its measured torque" : "gravity load";
     if (c.sigma > 0) {
-      return fmt::format(
-          "joint {} yields {} under {}", request.joint, Quantity(c, kMicro, "urad per N m"), load);
+      return fmt::format("{} is compliant: {} under {}",
+                         JointWords(context, request.joint),
+                         Quantity(c, kMicro, "urad/(N m)"),
+                         load);
     }
     std::string text = fmt::format(
-        "joint {} yields under gravity; {}, so only products with the compliance are known: ",
-        request.joint,
+        "{} is compliant under gravity load; {}, so only products with the compliance are known: ",
+        JointWords(context, request.joint),
         FreesMasses(request) ? "the stated masses do not fit" : "the masses are not given");
     for (std::size_t k = 0; k < values.size(); ++k) {
       const EffectValue& value = values[k];

@@ -64,15 +64,16 @@ class JointCouplingEffect final : public Effect {
             fmt::format("angle of joint {}", Driver(request) + 1)};
   }
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& context,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     const EffectValue coupling = Find(values, "coupling");
     // The unit says which of the two slides: "m/rad" -> "mm per rad".
     const std::size_t slash = coupling.unit.find('/');
-    return fmt::format("joint {} is {} by joint {}: {}",
-                       request.joint,
+    return fmt::format("{} is {} by {}: {}",
+                       JointWords(context, request.joint),
                        coupling.unit.substr(0, slash) == "m" ? "moved" : "turned",
-                       Driver(request) + 1,
+                       JointWords(context, Driver(request) + 1),
                        Quantity(coupling,
                                 1e-3,
                                 fmt::format("m{} per {}",

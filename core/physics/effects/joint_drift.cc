@@ -21,7 +21,7 @@ class JointDriftEffect final : public Effect {
     return {"joint_drift",
             "a joint's zero moves slowly during the recording",
             "d theta_j = r u",
-            "drift [rad], or [rad/K] with temperatures",
+            "drift [rad], of a slide [m]; with temperatures per K",
             {{"time_constant_s", "by the clock; 0 = steadily"}},
             "temperature_C, or t_s with time_constant_s",
             "0.05-0.3 mrad [PHYSICS.md T1]"};
@@ -35,24 +35,25 @@ class JointDriftEffect final : public Effect {
     const int joint = JointIndex(request);
     const bool clock = DriftByTime(c, request);
     return {SlotColumn("drift",
-                       clock ? "rad" : "rad/K",
+                       fmt::format("{}{}", c.revolute(joint) ? "rad" : "m", clock ? "" : "/K"),
                        clock ? 1e-4 : 1e-5,
                        c.joint_slot(joint),
                        DriftProfile(c, request, joint))};
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    return DriftCandidates(c, EveryJoint(c, "joint_drift"));
+    return DriftCandidates(c, EveryJoint(c, "joint_drift", /*revolute_only=*/false));
   }
   EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {
     return {"C5", JointName(request.joint), DriftByTime(c, request) ? "time" : "temperature"};
   }
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& context,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
-    const bool clock = request.settings.count("time_constant_s") > 0;
-    return fmt::format("the zero of joint {} drifts{} by {}",
-                       request.joint,
+    const EffectValue drift = Find(values, "drift");
+    return fmt::format("the zero of {} drifts{} by {}",
+                       JointWords(context, request.joint),
                        DriftWords(request),
-                       Quantity(Find(values, "drift"), 1e-3, clock ? "mrad" : "mrad per K"));
+                       AmountOfJoint(drift));
   }
   WorkedExample Example() const override {
     WorkedExample example;

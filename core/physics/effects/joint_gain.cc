@@ -44,12 +44,13 @@ class JointGainEffect final : public Effect {
     return {request.joint == 2 ? "C2" : "C3", JointName(request.joint), "joint angle"};
   }
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& context,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     const EffectValue gain = Find(values, "gain");
     const bool slides = gain.unit == kOfSlide;
-    return fmt::format("joint {} {} by a constant factor too far: {}",
-                       request.joint,
+    return fmt::format("{} {} too far by a constant factor: {}",
+                       JointWords(context, request.joint),
                        slides ? "slides" : "turns",
                        Quantity(gain, 1e-3, slides ? "mm per m" : "mrad per rad"));
   }

@@ -20,7 +20,7 @@ class JointStepEffect final : public Effect {
     return {"joint_step",
             "a joint's zero jumps once during the recording",
             "d theta_j = s H(t - t0)",
-            "step [rad]",
+            "step [rad], of a slide [m]",
             {{"at_s", "instant on the clock"}, {"at_row", "instant without a clock"}},
             "",
             "0.1-1 mrad [PHYSICS.md T3]"};
@@ -31,20 +31,25 @@ class JointStepEffect final : public Effect {
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
-    return {SlotColumn(
-        "step", "rad", 2e-4, c.joint_slot(JointIndex(request)), StepProfile(c, request))};
+    const int joint = JointIndex(request);
+    return {SlotColumn("step",
+                       c.revolute(joint) ? "rad" : "m",
+                       2e-4,
+                       c.joint_slot(joint),
+                       StepProfile(c, request))};
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    return StepCandidates(c, EveryJoint(c, "joint_step"));
+    return StepCandidates(c, EveryJoint(c, "joint_step", /*revolute_only=*/false));
   }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& request) const override {
     return {"C6", JointName(request.joint), "time"};
   }
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& context,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
-    return fmt::format("the zero of joint {} jumps by {} {}",
-                       request.joint,
-                       Quantity(Find(values, "step"), 1e-3, "mrad"),
+    return fmt::format("the zero of {} jumps by {} {}",
+                       JointWords(context, request.joint),
+                       AmountOfJoint(Find(values, "step")),
                        StepWords(request));
   }
   WorkedExample Example() const override {

@@ -54,7 +54,8 @@ class LatencyEffect final : public Effect {
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"timing", "sensor", "joint speed"};
   }
-  std::string Sentence(const EffectRequest& /*request*/,
+  std::string Sentence(const PhysicsContext& /*context*/,
+                       const EffectRequest& /*request*/,
                        const std::vector<EffectValue>& values) const override {
     return fmt::format("the position is that of {} before the joints' stamp",
                        Quantity(Find(values, "time"), 1e-3, "ms"));

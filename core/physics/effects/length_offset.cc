@@ -67,7 +67,8 @@ class LengthOffsetEffect final : public Effect {
     return {"geometry", "sensor", "constant"};
   }
 
-  std::string Sentence(const EffectRequest& /*request*/,
+  std::string Sentence(const PhysicsContext& /*context*/,
+                       const EffectRequest& /*request*/,
                        const std::vector<EffectValue>& values) const override {
     std::string text = "the instrument reads distances too long: ";
     for (std::size_t k = 0; k < values.size(); ++k) {

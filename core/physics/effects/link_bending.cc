@@ -107,7 +107,8 @@ class LinkBendingEffect final : public Effect {
   }
   bool DependsOnPoseOnly(const EffectRequest& /*request*/) const override { return true; }
 
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& /*context*/,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     const EffectValue flexibility = Find(values, "flexibility");
     if (flexibility.sigma <= 0) {

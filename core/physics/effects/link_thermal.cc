@@ -57,7 +57,8 @@ class LinkThermalEffect final : public Effect {
             fmt::format("link {}", request.joint),
             DriftByTime(c, request) ? "time" : "temperature"};
   }
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& /*context*/,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     const EffectValue expansion = Find(values, "expansion");
     if (expansion.sigma > 0) {

@@ -56,7 +56,8 @@ class SensorScaleEffect final : public Effect {
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"C7", "sensor", "distance"};
   }
-  std::string Sentence(const EffectRequest& /*request*/,
+  std::string Sentence(const PhysicsContext& /*context*/,
+                       const EffectRequest& /*request*/,
                        const std::vector<EffectValue>& values) const override {
     return fmt::format("the instrument reads all lengths too long by {}",
                        Quantity(Find(values, "scale"), 1e-6, "ppm"));

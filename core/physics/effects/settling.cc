@@ -67,7 +67,8 @@ class SettlingEffect final : public Effect {
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"C4", "all joints", "last move"};
   }
-  std::string Sentence(const EffectRequest& /*request*/,
+  std::string Sentence(const PhysicsContext& /*context*/,
+                       const EffectRequest& /*request*/,
                        const std::vector<EffectValue>& values) const override {
     return fmt::format(
         "the arm was read before it had settled: every joint still lacks {} of its last move",

@@ -42,7 +42,8 @@ class ToolStepEffect final : public Effect {
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"C6", "tool", "time"};
   }
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& /*context*/,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     return fmt::format("the tool slips {}: {}", StepWords(request), ComponentsInWords(values, 3));
   }

@@ -103,18 +103,21 @@ class TorsionNonlinearityEffect final : public Effect {
     return request.setting("measured_torque", 0) == 0;
   }
 
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& context,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     if (const double end = request.setting(kSoftTorque, 0); end > 0) {
-      return fmt::format("joint {} is softer by {} below {:.3g} N m (near zero load: or has play)",
-                         request.joint,
-                         Quantity(Find(values, "soft"), 1e-6, "urad per N m"),
-                         end);
+      return fmt::format(
+          "{} is softer by {} below {:.3g} N m (close to zero load it cannot be told from "
+          "backlash)",
+          JointWords(context, request.joint),
+          Quantity(Find(values, "soft"), 1e-6, "urad/(N m)"),
+          end);
     }
     const EffectValue cubic = Find(values, "cubic");
-    return fmt::format("joint {} yields with the cube of its torque: {} ({})",
-                       request.joint,
-                       Quantity(cubic, 1e-12, "prad per (N m)^3"),
+    return fmt::format("{} is twisted in proportion to the cube of its torque: {} ({})",
+                       JointWords(context, request.joint),
+                       Quantity(cubic, 1e-12, "prad/(N m)^3"),
                        cubic.value < 0 ? "stiffer under load" : "softer under load");
   }
 

@@ -97,7 +97,8 @@ class TransmissionErrorEffect final : public Effect {
     return {"C8", JointName(request.joint), "joint angle"};
   }
 
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& context,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     double mean = 0, square = 0;
     const double count = std::max<double>(1, static_cast<double>(values.size()));
@@ -109,9 +110,10 @@ class TransmissionErrorEffect final : public Effect {
       if (value.value >= largest.value) largest = value;
     }
     return fmt::format(
-        "joint {} errs by a curve of its own angle, {:.2f} mrad RMS and at most {}, as gears and "
-        "encoders do that err at many orders at once",
-        request.joint,
+        "{} has an angle-dependent transmission error: {:.2f} mrad RMS, {} peak (typical of gears "
+        "and "
+        "encoders)",
+        JointWords(context, request.joint),
         std::sqrt(square) / 1e-3,
         Quantity(largest, 1e-3, "mrad"));
   }

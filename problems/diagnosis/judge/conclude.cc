@@ -183,19 +183,19 @@ void GiveVerdict(const Judged& judged, DiagnosisResult* d) {
   const bool rest = judged.rest || judged.cells;
   if (d->findings.empty() && !rest) {
     d->verdict = DiagnosisVerdict::kConsistent;
-    d->summary = "the rigid model meets the noise; no left-out effect is demonstrated";
+    d->summary = "the rigid model meets the noise; no missing effect was detected";
   } else if (!physics && rest) {
     d->verdict = DiagnosisVerdict::kUnexplained;
     d->summary = "something is left out that no effect of the library describes";
     if (!d->findings.empty()) d->summary += ", beside " + NamesOfFindings(*d);
   } else if (confusable && !judged.cells) {
     d->verdict = DiagnosisVerdict::kAmbiguous;
-    d->summary = "more than one effect explains the misfit on these poses; the likeliest: " +
+    d->summary = "more than one effect explains the misfit at these poses; the likeliest: " +
                  NamesOfFindings(*d);
-    if (rest) d->summary += "; a rest is above the noise";
+    if (rest) d->summary += "; what they leave exceeds the noise";
   } else if (rest) {
     d->verdict = DiagnosisVerdict::kPartlyExplained;
-    d->summary = "explained in part by " + NamesOfFindings(*d) + "; the rest is above the noise";
+    d->summary = "explained in part by " + NamesOfFindings(*d) + "; the rest exceeds the noise";
   } else {
     d->verdict = DiagnosisVerdict::kExplained;
     d->summary = (physics ? "explained by "

@@ -150,7 +150,8 @@ std::vector<Finding> DescribeMembers(const JointModel& model,
                 : "the masses are not given (robot.links): usual ones were assumed, so its size is "
                   "a guess");
       }
-      finding.sentence += (finding.sentence.empty() ? "" : "; ") + effect.Sentence(request, values);
+      finding.sentence +=
+          (finding.sentence.empty() ? "" : "; ") + effect.Sentence(context, request, values);
       log_p = std::min(log_p,
                        certainty.log_p + std::log(static_cast<double>(outcome.rule.names) *
                                                   member.item.variants));
@@ -162,8 +163,8 @@ std::vector<Finding> DescribeMembers(const JointModel& model,
       finding.effect.effect = CurveEffect().Describe().name;
       finding.effect.settings.clear();
       finding.sentence =
-          fmt::format("joint {} errs by a curve of its own angle, here as a sum of lines: {}",
-                      finding.effect.joint,
+          fmt::format("{} has an angle-dependent transmission error, here as a sum of lines: {}",
+                      JointWords(context.robot(), finding.effect.joint),
                       finding.sentence);
     }
     const EffectPlace place = FindEffect(finding.effect.effect)->Place(context, finding.effect);
@@ -231,7 +232,7 @@ std::vector<Finding> DescribeCompletions(const JointModel& model,
                           certainty.shown_sigma[at]});
       }
     }
-    finding.sentence = effect.Sentence(item.request, values);
+    finding.sentence = effect.Sentence(*fit.context, item.request, values);
     findings.push_back(finding);
   }
   return findings;

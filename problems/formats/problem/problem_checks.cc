@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -166,6 +168,35 @@ void FitChecker::CheckSets() {
 }
 
 }  // namespace
+
+bool CheckRecordingExists(const ProblemSpec& spec, Diagnostics* diagnostics) {
+  namespace fs = std::filesystem;
+  std::error_code status;
+  const fs::path file = spec.recording;
+  if (spec.recording.empty() || fs::exists(file, status)) return true;
+  const fs::path whole = fs::absolute(file, status).lexically_normal();
+  fs::path folder = whole.parent_path();
+  std::string missing = whole.filename().string();
+  while (!fs::is_directory(folder, status) && folder.has_relative_path()) {
+    missing = folder.filename().string();
+    folder = folder.parent_path();
+  }
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, status)) {
+    names.push_back(entry.path().filename().string());
+  }
+  const std::string nearest = NearestName(missing, names);
+  diagnostics->Error(
+      spec.recording_where,
+      fmt::format("the recording '{}' is not there: {} has no '{}'{}",
+                  Printable(spec.recording),
+                  Printable(folder.string()),
+                  Printable(missing),
+                  nearest.empty() ? std::string("; check the path, which is relative to the "
+                                                "problem file")
+                                  : "; did you mean '" + Printable(nearest) + "'?"));
+  return false;
+}
 
 void CheckRecordingFits(const ProblemSpec& spec,
                         const Recording& recording,

@@ -8,6 +8,10 @@
 
 namespace dhcal {
 
+/// Reports a recording that is not there, at the line that names it, with the folder searched and
+/// the file there whose name comes nearest. True if it may be read.
+bool CheckRecordingExists(const ProblemSpec& spec, Diagnostics* diagnostics);
+
 /// Reports columns that the kind of measurement needs and names (of targets, anchors and runs)
 /// that one file uses and the other does not have. Names that no row uses are warnings.
 void CheckRecordingFits(const ProblemSpec& spec,

@@ -1,6 +1,7 @@
 #include "problems/formats/problem/problem_reader.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <tuple>
 #include <utility>
@@ -28,6 +29,13 @@ namespace {
 constexpr int kSchema = 1;
 constexpr const char* kDataVariable = "${DHCAL_DATA}";
 
+/// "~/x" as a shell would have it.
+std::string WithHome(const std::string& path) {
+  const char* const home = std::getenv("HOME");
+  if (home == nullptr || !StartsWith(path, "~/")) return path;
+  return home + path.substr(1);
+}
+
 /// A path relative to the problem file, or below the data folder.
 std::string ResolvePath(const YamlValue& value, const std::string& data_dir) {
   const std::optional<std::string> text = value.Text();
@@ -49,7 +57,7 @@ std::string ResolvePath(const YamlValue& value, const std::string& data_dir) {
         "is '{}'; the only variable is {}, at the start", Printable(*text), kDataVariable));
     return "";
   }
-  return (std::filesystem::path(value.source()->file()).parent_path() / *text).string();
+  return (std::filesystem::path(value.source()->file()).parent_path() / WithHome(*text)).string();
 }
 
 /// The name also names the result folder.

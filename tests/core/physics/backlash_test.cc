@@ -20,14 +20,16 @@ std::string SentenceFor(JointType type) {
   request.effect = "backlash";
   request.joint = 4;
   const EffectColumn column = effect.Columns(context, request).front();
-  return effect.Sentence(request, {{column.parameter, column.unit, 3e-4, 1e-5}}) + " [" +
+  return effect.Sentence(context, request, {{column.parameter, column.unit, 3e-4, 1e-5}}) + " [" +
          column.unit + "]";
 }
 
 TEST(Backlash, IsAnAngleOfATurningJointAndALengthOfASlidingOne) {
-  EXPECT_THAT(SentenceFor(JointType::kRevolute), testing::HasSubstr("0.300 +- 0.010 mrad in all"));
+  EXPECT_THAT(SentenceFor(JointType::kRevolute),
+              testing::HasSubstr("0.300 +- 0.010 mrad of backlash"));
   EXPECT_THAT(SentenceFor(JointType::kRevolute), testing::EndsWith("[rad]"));
-  EXPECT_THAT(SentenceFor(JointType::kPrismatic), testing::HasSubstr("0.300 +- 0.010 mm in all"));
+  EXPECT_THAT(SentenceFor(JointType::kPrismatic),
+              testing::HasSubstr("0.300 +- 0.010 mm of backlash"));
   EXPECT_THAT(SentenceFor(JointType::kPrismatic), testing::EndsWith("[m]"));
 }
 

@@ -62,5 +62,11 @@ TEST(PredictedPoint, IsThatOfTheRowsOwnTargetOrRun) {
   EXPECT_NEAR((context.p_WQ(0) - robot.X_WB * flange(0).translation()).norm(), 0.5, 1e-15);
 }
 
+TEST(AmountOfJoint, IsAnAngleOrALengthByTheValuesUnit) {
+  EXPECT_EQ(AmountOfJoint({"step", "rad", 3e-4, 1e-5}), "0.300 +- 0.010 mrad");
+  EXPECT_EQ(AmountOfJoint({"step", "m", 3e-4, 1e-5}), "0.300 +- 0.010 mm");
+  EXPECT_EQ(AmountOfJoint({"drift", "m/K", 3e-4, 1e-5}), "0.300 +- 0.010 mm/K");
+}
+
 }  // namespace
 }  // namespace dhcal

@@ -141,7 +141,7 @@ TEST_P(EffectConformance, SaysWhereItSitsAndPutsItsSizeIntoWords) {
   for (const EffectColumn& column : effect().Columns(context_, example.request)) {
     values.push_back({column.parameter, column.unit, 2 * column.typical, column.typical});
   }
-  EXPECT_THAT(effect().Sentence(example.request, values), testing::HasSubstr("+-"));
+  EXPECT_THAT(effect().Sentence(context_, example.request, values), testing::HasSubstr("+-"));
 }
 
 TEST_P(EffectConformance, IsNotTestableOnARobotThatNeverMoves) {

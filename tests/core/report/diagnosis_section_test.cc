@@ -31,6 +31,7 @@ Result WithFinding() {
   d.false_alarm = 0.01;
   d.misfit.rows = 100;
   d.misfit.rms = 3e-4;
+  d.misfit.noise_sigma = 2e-5;
   d.misfit.p_value = 1e-12;
   d.findings.emplace_back();
   d.findings[0].effect.effect = "joint_compliance";
@@ -147,15 +148,17 @@ TEST(DiagnosisSection, NumbersThatAreNotKnownAreNotPrinted) {
   d.rms_test_before = 4e-4;
   d.rms_test_after = 3e-5;
   const std::string text = DiagnosisText(ExampleSpec(), result);
-  EXPECT_THAT(text, Not(HasSubstr("- -> -")));
-  EXPECT_THAT(text, Not(HasSubstr("All physics together")));
-  EXPECT_THAT(text,
-              HasSubstr("Complete geometry: RMS on rows not fitted (set column) 0.4000 -> "
-                        "0.03000 mm."));
+  EXPECT_THAT(text, Not(HasSubstr("not known")));
+  EXPECT_THAT(text, Not(HasSubstr("All together")));
+  // 3-D: the root of three times what one coordinate has.
+  EXPECT_THAT(
+      text,
+      HasSubstr("Complete geometry: 0.05196 mm instead of 0.6928 mm on rows not fitted (set "
+                "column) (RMS, 3-D)."));
   d.rms_train_before = 5e-4;
   d.rms_train_after = 2e-5;
   EXPECT_THAT(DiagnosisText(ExampleSpec(), result),
-              HasSubstr("All physics together: RMS on fitted rows 0.5000 -> 0.02000 mm;"));
+              HasSubstr("All together: 0.03464 mm instead of 0.8660 mm on fitted rows,"));
 }
 
 TEST(DiagnosisSection, SaysOnlyThatTheCompleteGeometryHasNoFit) {
@@ -165,8 +168,8 @@ TEST(DiagnosisSection, SaysOnlyThatTheCompleteGeometryHasNoFit) {
   result.diagnosis->summary = "the complete geometry could not be fitted";
   result.diagnosis->false_alarm = 0.01;
   EXPECT_EQ(DiagnosisText(ExampleSpec(), result),
-            "\nLEFT-OUT PHYSICS: UNEXPLAINED\n\n"
-            "  In short: the complete geometry could not be fitted.\n");
+            "\nUNMODELLED EFFECTS: UNEXPLAINED\n\n"
+            "  The complete geometry could not be fitted.\n");
 }
 
 TEST(DiagnosisSection, LimitsThatSayNothingAreLeftOut) {
@@ -181,7 +184,7 @@ TEST(DiagnosisSection, LimitsThatSayNothingAreLeftOut) {
   EXPECT_THAT(text, ContainsRegex("backlash +0\\.500 +2\\.0e-05"));
   EXPECT_THAT(text, ContainsRegex("sensor_scale +0\\.500 +never"));
   result.diagnosis->hidden.resize(2);
-  EXPECT_THAT(DiagnosisText(ExampleSpec(), result), Not(HasSubstr("cannot exclude")));
+  EXPECT_THAT(DiagnosisText(ExampleSpec(), result), Not(HasSubstr("could still be hidden")));
 }
 
 }  // namespace

@@ -73,8 +73,8 @@ TEST(ParameterSection, NamesFixedParametersInOneSentence) {
     parameters.push_back(fixed);
   }
   const std::string text = ParameterText(WithParameters(parameters));
-  EXPECT_THAT(text, HasSubstr("Held at their nominal values: fixed0, fixed1,"));
-  EXPECT_THAT(text, HasSubstr("60 more in result.json"));
+  EXPECT_THAT(text, HasSubstr("Not estimated: fixed0, fixed1,"));
+  EXPECT_THAT(text, HasSubstr("... and 60 more in"));
   EXPECT_THAT(text, Not(HasSubstr("fixed99")));
 }
 
@@ -103,7 +103,7 @@ TEST(ParameterSection, SaysWhyTheIntervalsDoNotHold) {
   const std::string noise = Judged(IntervalVerdict::kModelMissesNoise, true);
   EXPECT_THAT(noise,
               HasSubstr("The rigid model does not meet the noise, so the intervals do not hold"));
-  EXPECT_THAT(noise, HasSubstr("has moved parameters, see LEFT-OUT PHYSICS."));
+  EXPECT_THAT(noise, HasSubstr("has moved parameters, see UNMODELLED EFFECTS."));
   EXPECT_THAT(noise, Not(HasSubstr("They hold")));
   EXPECT_THAT(Judged(IntervalVerdict::kGeometryIncomplete, true),
               HasSubstr("is not complete, so the intervals do not hold"));
@@ -112,7 +112,7 @@ TEST(ParameterSection, SaysWhyTheIntervalsDoNotHold) {
 TEST(ParameterSection, RefersToNoSectionThatIsNotThere) {
   const std::string text = Judged(IntervalVerdict::kModelMissesNoise, false);
   EXPECT_THAT(text, HasSubstr("has moved parameters."));
-  EXPECT_THAT(text, Not(HasSubstr("LEFT-OUT PHYSICS")));
+  EXPECT_THAT(text, Not(HasSubstr("UNMODELLED EFFECTS")));
 }
 
 TEST(ParameterSection, IsEmptyWithoutAUsableFit) {

@@ -19,6 +19,7 @@ namespace dhcal {
 namespace {
 
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -106,17 +107,17 @@ TEST(TextReport, IsTheSameUnderACommaDecimalLocale) {
 
 TEST(TextReport, GivesTheAnswerBeforeTheDetails) {
   const std::string report = TextReport(ExampleSpec(), ExampleResult());
-  EXPECT_THAT(report, HasSubstr("(base and tool fitted), 0.03530"));
-  EXPECT_LT(report.find("RESULT"), report.find("SOLVERS"));
-  EXPECT_LT(report.find("SOLVERS"), report.find("PARAMETERS"));
-  EXPECT_LT(report.find("PARAMETERS"), report.find("WHAT THE READINGS CANNOT TELL"));
+  EXPECT_THAT(report, HasSubstr("(base and tool"));
+  EXPECT_LT(report.find("RESULT"), report.find("PARAMETERS"));
+  EXPECT_LT(report.find("PARAMETERS"), report.find("WHAT THIS DATA CANNOT DETERMINE"));
+  EXPECT_LT(report.find("WHAT THIS DATA CANNOT DETERMINE"), report.find("APPENDIX: SOLVERS"));
 }
 
 TEST(TextReport, ComparesWithTheNominalParametersWhereBaseAndToolWereNotFitted) {
   Result result = ExampleResult();
   result.base_and_tool_only.reset();
   EXPECT_THAT(TextReport(ExampleSpec(), result),
-              HasSubstr(": 2.600 mm RMS (at most 4.400 mm) with\n  the nominal parameters"));
+              ContainsRegex("2\\.600 mm with the nominal[[:space:]]+parameters"));
 }
 
 TEST(TextReport, PrintsNoParametersWithoutAUsableFit) {

@@ -89,7 +89,7 @@ TEST(Diagnose, NamesLocatesAndSizesComplianceAndImprovesUnseenRows) {
   EXPECT_EQ(f.parameters[0].name, "joint_compliance.2.compliance");
   EXPECT_NEAR(f.parameters[0].value, 3e-6, 4 * f.parameters[0].sigma);
   EXPECT_LT(f.parameters[0].sigma, 0.1e-6);
-  EXPECT_THAT(f.sentence, HasSubstr("joint 2 yields"));
+  EXPECT_THAT(f.sentence, HasSubstr("joint 2 is compliant"));
   EXPECT_LT(f.rms_test_after, 0.3 * f.rms_test_before);
   EXPECT_LT(f.rms_test_after, 1.3 * draw.spec.measurement.sigma.value());
   EXPECT_GT(f.delta_bic, 100);

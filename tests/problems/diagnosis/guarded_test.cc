@@ -31,7 +31,7 @@ TEST(Guarded, TheReportHoldsTheCalibrationAndSaysThatTheDiagnosisFailed) {
   result.diagnosis =
       Guarded([]() -> DiagnosisResult { throw std::runtime_error("F is infinite"); });
   const std::string report = ToText(ReportOf(draw.spec, result));
-  EXPECT_THAT(report, HasSubstr("LEFT-OUT PHYSICS: FAILED"));
+  EXPECT_THAT(report, HasSubstr("UNMODELLED EFFECTS: FAILED"));
   EXPECT_THAT(report, HasSubstr("F is infinite"));
   EXPECT_THAT(report, HasSubstr("theta1"));
 }
