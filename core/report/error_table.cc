@@ -70,7 +70,9 @@ std::string Headline(const Result& result) {
                         WithMillimetres(Told(kind, unseen.rms_test, unseen.rms_point_test)));
   }
   text += ".";
-  if (!std::isnan(result.noise_sigma) && !result.noise_free) {
+  // An estimated noise is of the model that was there when it was estimated.
+  const bool known = !std::isnan(fit.chi2_reduced) && !std::isnan(result.noise_sigma);
+  if (known && !result.noise_free) {
     text += fmt::format(" Noise of the readings: {} ({} per coordinate{}).",
                         WithMillimetres(InSpace(kind, result.noise_sigma)),
                         WithMillimetres(result.noise_sigma),

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/physics/effect.h"
 #include "core/report/error_table.h"
 #include "core/report/format.h"
 #include "core/report/report.h"
@@ -19,32 +20,52 @@ namespace dhcal {
 namespace {
 
 constexpr std::size_t kMostFindings = 6;
-constexpr std::size_t kMostSetAside = 6;
+constexpr std::size_t kMostAlternatives = 4;
+constexpr std::size_t kMostExcluded = 6;
 constexpr std::size_t kMostRemarks = 4;
-constexpr std::size_t kMostNotes = 3;  // where there is no result, they hold the reason
+constexpr std::size_t kMostReasons = 3;  // where there is no result, they hold the reason
 
 std::string MoreInReport(std::size_t all, std::size_t shown) {
   return all > shown ? fmt::format("; {} more in report.txt", all - shown) : std::string();
+}
+
+/// The finding, and what could stand in its place.
+std::string FindingText(const Finding& finding) {
+  std::vector<std::string> others;
+  for (const Confusable& other : finding.confusable_with) {
+    if (others.size() == kMostAlternatives) break;
+    others.push_back(InstanceName(other.effect));
+  }
+  std::string text = Capitalised(finding.sentence) + ".";
+  if (others.empty()) return text;
+  return text + fmt::format(" Or instead: {}{}.",
+                            fmt::join(others, ", "),
+                            MoreInReport(finding.confusable_with.size(), others.size()));
 }
 
 Section FindingsSection(const Result& result) {
   if (!result.diagnosis) return {};
   const DiagnosisResult& d = *result.diagnosis;
   Section section{DiagnosisTitle(d), {}};
-  if (d.findings.empty() || d.unexplained || d.verdict == DiagnosisVerdict::kAmbiguous) {
+  if (d.findings.empty()) {
     section.blocks.push_back(Paragraph{{Capitalised(d.summary) + "."}, ""});
+  } else if (d.verdict == DiagnosisVerdict::kAmbiguous) {
+    section.blocks.push_back(Paragraph{
+        {"More than one effect explains the misfit at these poses; the likeliest first."}, ""});
   }
   List list;
   for (const Finding& finding : d.findings) {
     if (list.items.size() == kMostFindings) break;
-    list.items.push_back(
-        {Capitalised(finding.sentence) + ".", fmt::format("{}.", list.items.size() + 1), {}});
+    list.items.push_back({FindingText(finding), fmt::format("{}.", list.items.size() + 1), {}});
   }
   if (d.findings.size() > kMostFindings) {
     list.items.push_back(
         {fmt::format("... and {} more in report.txt", d.findings.size() - kMostFindings), "", {}});
   }
   if (!list.items.empty()) section.blocks.push_back(list);
+  if (d.unexplained && !d.findings.empty()) {
+    section.blocks.push_back(Paragraph{{"What they leave exceeds the noise of the readings."}, ""});
+  }
   return section;
 }
 
@@ -52,10 +73,10 @@ Section FindingsSection(const Result& result) {
 std::string SetAsideText(const Result& result) {
   std::vector<std::string> rows;
   for (const RowSetAside& row : result.rows_set_aside) {
-    if (rows.size() == kMostSetAside) break;
+    if (rows.size() == kMostExcluded) break;
     rows.push_back(std::isnan(row.size)
                        ? fmt::format("{}", row.row_idx + 1)
-                       : fmt::format("{} ({:.3g} mm off)", row.row_idx + 1, row.size / 1e-3));
+                       : fmt::format("{} ({} off)", row.row_idx + 1, WithMillimetres(row.size)));
   }
   return fmt::format(
       "{}{}", fmt::join(rows, ", "), MoreInReport(result.rows_set_aside.size(), rows.size()));
@@ -162,7 +183,7 @@ Document FirstScreenOf(const ProblemSpec& spec, const Result& result, const std:
     for (const FitResult& fit : result.fits) {
       none.blocks.push_back(Paragraph{{fit.message}, SolverName(fit.solver) + ":"});
     }
-    for (const std::string& note : FirstOf(result.notes, kMostNotes)) {
+    for (const std::string& note : FirstOf(result.notes, kMostReasons)) {
       none.blocks.push_back(Paragraph{{note}, ""});
     }
     add(std::move(none));

@@ -42,6 +42,18 @@ std::vector<std::string> Words(std::string_view text, int width) {
   return words;
 }
 
+/// A number and its uncertainty stay together: "0.31 +- 0.02".
+std::vector<std::string> WithUncertaintiesWhole(std::vector<std::string> words, int width) {
+  for (std::size_t i = 1; i + 1 < words.size(); ++i) {
+    if (words[i] != "+-") continue;
+    const std::string whole = fmt::format("{} +- {}", words[i - 1], words[i + 1]);
+    if (CountCharacters(whole) > width) continue;
+    words[i - 1] = whole;
+    words.erase(words.begin() + static_cast<long>(i), words.begin() + static_cast<long>(i) + 2);
+  }
+  return words;
+}
+
 }  // namespace
 
 std::string Spaces(int count) {
@@ -62,7 +74,8 @@ std::string Wrap(const std::string& first, std::string_view text) {
   std::string wrapped = first;
   int column = indent;
   bool line_is_empty = true;
-  for (const std::string& word : Words(text, kReportWidth - indent)) {
+  const int width = kReportWidth - indent;
+  for (const std::string& word : WithUncertaintiesWhole(Words(text, width), width)) {
     const int length = CountCharacters(word);
     if (!line_is_empty && column + 1 + length > kReportWidth) {
       wrapped += "\n" + Spaces(indent);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/text.h"
 #include "core/math/statistics.h"
 #include "core/physics/registry.h"
 #include "problems/diagnosis/spectrum.h"
@@ -59,6 +60,16 @@ FoundParameter Found(
   found.ci95_low = value - quantile * sigma;
   found.ci95_high = value + quantile * sigma;
   return found;
+}
+
+/// "joint 2 has a ..."; a further member of the same joint goes on with "it".
+void AddSentence(const std::string& joint, const std::string& sentence, std::string* all) {
+  if (all->empty()) {
+    *all = sentence;
+    return;
+  }
+  const bool same = StartsWith(sentence, joint + " ");
+  *all += "; " + (same ? "it" + sentence.substr(joint.size()) : sentence);
 }
 
 /// Chance of a log p, corrected for the choice.
@@ -150,8 +161,9 @@ std::vector<Finding> DescribeMembers(const JointModel& model,
                 : "the masses are not given (robot.links): usual ones were assumed, so its size is "
                   "a guess");
       }
-      finding.sentence +=
-          (finding.sentence.empty() ? "" : "; ") + effect.Sentence(context, request, values);
+      AddSentence(JointWords(context.robot(), request.joint),
+                  effect.Sentence(context, request, values),
+                  &finding.sentence);
       log_p = std::min(log_p,
                        certainty.log_p + std::log(static_cast<double>(outcome.rule.names) *
                                                   member.item.variants));

@@ -52,16 +52,19 @@ TEST(FirstScreen, FitsAScreenAndEndsWithTheFiles) {
 TEST(FirstScreen, NamesExcludedRowsWithHowFarTheyAreOff) {
   Result result = ExampleResult();
   result.rows_set_aside = {{16, false, "a round length off", 10e-3}, {42, true, "", kNotSet}};
-  EXPECT_THAT(Screen(result), HasSubstr("Excluded rows 17 (10 mm off), 43\n"));
+  EXPECT_THAT(Screen(result), HasSubstr("Excluded rows 17 (10.00 mm off), 43\n"));
 }
 
 TEST(FirstScreen, SaysWhatToMeasureWhereTheVerdictIsOpen) {
   Result result = WithFindings(DiagnosisVerdict::kAmbiguous);
   Finding& first = result.diagnosis->findings[0];
   first.confusable_with.emplace_back();
+  first.confusable_with[0].effect.effect = "backlash";
+  first.confusable_with[0].effect.joint = 4;
   first.separating_advice = "to tell it from x: other poses";
   EXPECT_THAT(Screen(result), HasSubstr("Measure, to tell it from x: other poses."));
-  EXPECT_THAT(Screen(result), HasSubstr("A summary."));
+  EXPECT_THAT(Screen(result),
+              HasSubstr("1. Joint 1 is something. Or instead: backlash at joint 4."));
   EXPECT_THAT(Screen(WithFindings(DiagnosisVerdict::kExplained)), Not(HasSubstr("Measure,")));
 }
 

@@ -21,5 +21,10 @@ TEST(Wrap, IndentsTheFollowingLinesAndBreaksEndlessWords) {
   EXPECT_EQ(Wrap("  label ", ""), "  label\n");
 }
 
+TEST(Wrap, KeepsANumberAndItsUncertaintyOnOneLine) {
+  const std::string before(90, 'x');
+  EXPECT_EQ(Wrap("", before + " 0.912 +- 0.087 mrad"), before + "\n0.912 +- 0.087 mrad\n");
+}
+
 }  // namespace
 }  // namespace dhcal
