@@ -164,8 +164,7 @@ ListItem FindingItem(const RobotModel& robot, const MeasurementKind& kind, const
   const std::string driver =
       f.driver == "constant" ? "the same at all poses" : "driven by " + f.driver;
   ListItem item{Capitalised(f.sentence) + ".", "", {}};
-  item.parts.push_back(
-      {fmt::format("{} ({}, {}).", InstanceName(f.effect), f.location, driver), "", {}});
+  item.parts.push_back({fmt::format("Effect {}, {}.", InstanceName(f.effect), driver), "", {}});
   const std::string rms = WithoutAndWith(kind, f);
   if (!rms.empty()) item.parts.push_back({rms, "", {}});
   for (const std::string& caution : f.cautions) {
@@ -339,8 +338,8 @@ std::vector<Block> LookedAt(const DiagnosisResult& d) {
   const Table hidden = HiddenTable(d.hidden);
   if (!hidden.rows.empty()) blocks.emplace_back(hidden);
   if (!d.not_testable.empty()) {
-    blocks.emplace_back(
-        Paragraph{{NotTestableWords(d.not_testable)}, "Could not be tested with this recording:"});
+    blocks.emplace_back(Paragraph{
+        {"Could not be tested with this recording: " + NotTestableWords(d.not_testable)}, ""});
   }
   List notes;
   notes.kind = List::Kind::kBullets;

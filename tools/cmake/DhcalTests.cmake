@@ -30,6 +30,21 @@ function(dhcal_discover target prefix filter)
     PROPERTIES ${ARGN})
 endfunction()
 
+# dhcal_shards(<target> <prefix>): the tests without "Slow" in a few processes. Sanitizers make a start
+# cost as much as most tests take; what fails is in the output of its shard.
+function(dhcal_shards target prefix)
+  set(count 24)
+  math(EXPR last "${count} - 1")
+  foreach(shard RANGE ${last})
+    set(name "${prefix}/shard_${shard}")
+    add_test(NAME ${name} COMMAND ${target} "--gtest_filter=-*Slow*" --gtest_brief=1
+             WORKING_DIRECTORY "${PROJECT_BINARY_DIR}/tests")
+    set_tests_properties(
+      ${name} PROPERTIES TIMEOUT 900 ENVIRONMENT
+                         "GTEST_TOTAL_SHARDS=${count};GTEST_SHARD_INDEX=${shard}")
+  endforeach()
+endfunction()
+
 # dhcal_tests(<layer>)
 function(dhcal_tests layer)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${layer}/*_test.cc")
@@ -40,7 +55,11 @@ function(dhcal_tests layer)
   add_executable(${target} ${sources})
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")
   target_link_libraries(${target} PRIVATE dhcal_test_support GTest::gmock_main dhcal_warnings)
-  dhcal_discover(${target} ${layer} "-*Slow*" TIMEOUT 300)
+  if(DHCAL_SANITIZE)
+    dhcal_shards(${target} ${layer})
+  else()
+    dhcal_discover(${target} ${layer} "-*Slow*" TIMEOUT 300)
+  endif()
   dhcal_discover(${target} ${layer} "*Slow*" TIMEOUT 3600 LABELS slow)
 endfunction()
 
