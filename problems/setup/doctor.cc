@@ -193,6 +193,10 @@ Findings FindCauses(const Files& files, double rms_before, int most_weight) {
   const SetUpSearch search(files, calibration, part);
   if (!search.possible()) return {};
   std::vector<Verified> verified = VerifyAll(files, search.Run());
+  if (!Solved(verified)) {
+    const std::vector<Verified> remastered = VerifyAll(files, search.Remastered());
+    verified.insert(verified.end(), remastered.begin(), remastered.end());
+  }
   if (!Solved(verified)) TryMovedFrames(files, &verified);
   if (!Solved(verified) && part.size() >= 2 * kEnough) {
     // Something may happen in the middle: the beginning, and the end, by themselves.

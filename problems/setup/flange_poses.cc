@@ -62,7 +62,8 @@ FlangeOfRows::Turn FlangeOfRows::AngleOf(const SetUp& set_up, int joint_idx) con
   const auto idx = static_cast<std::size_t>(joint_idx);
   const JointRow& row = robot_.joints[idx];
   const SetUp::Joint& joint = set_up.joints[idx];
-  const double theta = FactorOf(set_up.table_unit) * row.theta + joint.quarters * kPi / 2;
+  const double theta =
+      FactorOf(set_up.table_unit) * row.theta + joint.quarters * kPi / 2 + joint.offset;
   const double c = std::cos(theta), s = std::sin(theta);
   if (row.type == JointType::kPrismatic) {
     return {Numbers::Constant(num_rows_, c), Numbers::Constant(num_rows_, s)};

@@ -42,9 +42,13 @@ std::optional<LengthFactors> UnitsOf(const RobotModel& robot, double ratio) {
 }
 
 double ToolScale(const RobotModel& robot, const Eigen::Vector3d& p_TQ) {
-  constexpr double kAlike = 0.3;  // of the length
+  constexpr double kAlike = 0.3;       // of the length
+  constexpr double kLongestTool = 10;  // reaches
   if (!robot.targets.empty()) return 1;
   const Eigen::Vector3d stated = robot.X_TQ.translation();
+  // Parallel axes do not show all of a tool, and a turned flange turns it: none is that long.
+  const double reach = ReachOf(robot);
+  if (stated.norm() > kLongestTool * reach && stated.norm() < reach / 1e-3) return 1e-3;
   for (const double scale : {1e-3, 1e3}) {
     const Eigen::Vector3d meant = scale * stated;
     if (!meant.isZero(0) && (meant - p_TQ).norm() < kAlike * meant.norm()) return scale;

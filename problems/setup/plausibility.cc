@@ -33,6 +33,7 @@ constexpr double kWorthAsking = 0.0015;
 // Of the readings' spread: a small volume shows a wrong table by less.
 constexpr double kOfSpread = 0.1;
 constexpr double kFewDirections = 0.25;     // of the columns: a fit that determines less is none
+constexpr double kUsualNoise = 1e-4;        // [m] per coordinate, of a tracker on a poor day
 constexpr int kMostWeight = 4 * kOneCause;  // of causes
 
 std::string MissesWords(double misfit) {
@@ -75,6 +76,19 @@ int DistinctPoses(const Recording& recording) {
   return static_cast<int>(distinct.size());
 }
 
+/// Directions that the readings determine. A noise that was estimated holds all that the model
+/// leaves out, and nothing is determined beside strong physics: what counts is then what an
+/// instrument of the usual kind would determine.
+int Determined(const Result& identified, const FitResult& fit) {
+  const bool estimated = std::isnan(fit.chi2_reduced);
+  if (!estimated || !(identified.noise_sigma > kUsualNoise)) return fit.rank;
+  const double cut = fit.truncation_cut * kUsualNoise / identified.noise_sigma;
+  const auto count = std::count_if(fit.singular_values.begin(),
+                                   fit.singular_values.end(),
+                                   [&](double value) { return value > cut; });
+  return std::max(fit.rank, static_cast<int>(count));
+}
+
 /// Why the fit itself, whatever the files, is no calibration.
 void JudgeFit(const Files& files, const Result& identified, SetupResult* setup) {
   const FitResult* const fit = identified.best();
@@ -90,7 +104,7 @@ void JudgeFit(const Files& files, const Result& identified, SetupResult* setup) 
         std::max(numbers, 0),
         fit->columns,
         fit->columns / identified.kind.num_coordinates() + (identified.kind.pairs ? 2 : 1)));
-  } else if (fit->rank <= kFewDirections * fit->columns) {
+  } else if (Determined(identified, *fit) <= kFewDirections * fit->columns) {
     setup->reasons.push_back(fmt::format(
         "The readings determine only {} of {} independent combinations of the parameters. Record "
         "poses in which every joint moves over much of its range, or estimate fewer parameters.",

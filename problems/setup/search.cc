@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/base/units.h"
 #include "problems/setup/length_units.h"
 
 namespace dhcal {
@@ -21,6 +22,8 @@ constexpr double kAsGood = 1.15;           // times the misfit: what a cause les
 constexpr double kNearlyAsGood = 2;        // times the best misfit: what is kept
 constexpr std::size_t kMostKept = 12;
 constexpr int kFewestReadings = 8;
+constexpr double kZeroStep = 15 * kDegree;  // of the scan for a zero
+constexpr double kZeroFinest = 0.01 * kDegree;
 
 /// Evenly over `readings`, those whose row may be shifted within its run.
 std::vector<Reading> Few(const Recording& recording, const std::vector<Reading>& readings) {
@@ -160,6 +163,48 @@ void SetUpSearch::Simplify(Candidate* candidate) const {
   }
 }
 
+void SetUpSearch::RefineZero(int joint_idx, Candidate* candidate) const {
+  const auto idx = static_cast<std::size_t>(joint_idx);
+  const auto moved = [&](double angle) {
+    SetUp set_up = candidate->set_up;
+    set_up.joints[idx].offset += angle;
+    Candidate other = Judge(set_up);
+    if (!(other.misfit.rms < candidate->misfit.rms)) return false;
+    *candidate = std::move(other);
+    return true;
+  };
+  // Ever smaller steps downhill: the misfit is smooth around its least.
+  for (double step = kZeroStep / 2; step > kZeroFinest; step /= 2) {
+    if (!moved(step)) moved(-step);
+  }
+}
+
+std::vector<Candidate> SetUpSearch::Remastered() const {
+  const SetUp as_written = AsWritten(files_.num_joints());
+  std::vector<SetUp> starts = Steps(as_written), turned;
+  starts.push_back(as_written);
+  for (const SetUp& start : starts) {
+    for (int j = 0; j < files_.num_joints(); ++j) {
+      if (!files_.revolute(j)) continue;
+      for (double angle = kZeroStep - kPi; angle <= kPi; angle += kZeroStep) {
+        turned.push_back(start);
+        turned.back().joints[static_cast<std::size_t>(j)].offset = angle;
+      }
+    }
+  }
+  std::vector<Candidate> candidates = JudgeAll(turned);
+  std::sort(candidates.begin(), candidates.end(), Better);
+  if (candidates.size() > kWidth) candidates.resize(kWidth);
+  for (Candidate& candidate : candidates) {
+    for (int j = 0; j < files_.num_joints(); ++j) {
+      const double offset = candidate.set_up.joints[static_cast<std::size_t>(j)].offset;
+      if (offset != 0) RefineZero(j, &candidate);
+    }
+  }
+  std::sort(candidates.begin(), candidates.end(), Better);
+  return Kept(candidates);
+}
+
 std::vector<Candidate> SetUpSearch::Run() const {
   std::set<SetUp> seen;
   const auto unseen = [&](const std::vector<SetUp>& set_ups) {
@@ -188,9 +233,13 @@ std::vector<Candidate> SetUpSearch::Run() const {
     std::sort(beam.begin(), beam.end(), Better);
     if (!(beam.front().misfit.rms < kProgress * best)) break;
   }
+  return Kept(beam);
+}
+
+std::vector<Candidate> SetUpSearch::Kept(const std::vector<Candidate>& sorted) const {
   std::vector<Candidate> kept;
-  for (Candidate& candidate : beam) {
-    if (candidate.misfit.rms > kNearlyAsGood * beam.front().misfit.rms) break;
+  for (Candidate candidate : sorted) {
+    if (candidate.misfit.rms > kNearlyAsGood * sorted.front().misfit.rms) break;
     if (kept.size() >= kMostKept) break;
     Simplify(&candidate);
     const bool is_new = std::none_of(kept.begin(), kept.end(), [&](const Candidate& other) {

@@ -30,6 +30,10 @@ class SetUpSearch {
   bool possible() const { return !readings_.empty(); }
   /// Completes `set_up` by what the fit finds: units and mirrored frames.
   Candidate Judge(SetUp set_up) const;
+  /// The zero of one joint off by the angle that fits best, alone or with one step beside it: those
+  /// that fit nearly as well as the best, each without a change that it can do without. For where
+  /// no steps help.
+  std::vector<Candidate> Remastered() const;
   /// Set-ups that fit nearly as well as the best found, each without a change that it can do
   /// without; fewest causes first, then the best fit.
   std::vector<Candidate> Run() const;
@@ -39,6 +43,11 @@ class SetUpSearch {
   /// Set-ups of one step from `from`, of all kinds.
   std::vector<SetUp> Steps(const SetUp& from) const;
   std::vector<SetUp> Seeds() const;
+  /// Moves the zero of the one joint that is off to where it fits best.
+  void RefineZero(int joint_idx, Candidate* candidate) const;
+  /// The best, each simplified and once; fewest causes first, then the best fit. `sorted`: best
+  /// first.
+  std::vector<Candidate> Kept(const std::vector<Candidate>& sorted) const;
   /// Ways to come from a candidate to one as good with fewer causes.
   void Simplify(Candidate* candidate) const;
 

@@ -16,9 +16,10 @@ constexpr int kMostRowShift = 2;
 
 struct SetUp {
   struct Joint {
-    int column = 0;    // of the recording's joint coordinates, from 0
-    int sense = 1;     // times the file's sign
-    int quarters = 0;  // of a turn, added to theta: -1, 0, 1 or 2
+    int column = 0;     // of the recording's joint coordinates, from 0
+    int sense = 1;      // times the file's sign
+    int quarters = 0;   // of a turn, added to theta: -1, 0, 1 or 2
+    double offset = 0;  // [rad] added to theta, too: of a joint that was mastered wrongly
     AngleUnit unit = AngleUnit::kAsWritten;
     int driver = -1;        // joint whose coordinate turns this one, too; -1 = none
     int driver_factor = 0;  // +1 or -1
@@ -27,8 +28,8 @@ struct SetUp {
     friend bool operator==(const Joint& a, const Joint& b) { return a.Key() == b.Key(); }
 
    private:
-    std::tuple<int, int, int, AngleUnit, int, int> Key() const {
-      return {column, sense, quarters, unit, driver, driver_factor};
+    std::tuple<int, int, int, double, AngleUnit, int, int> Key() const {
+      return {column, sense, quarters, offset, unit, driver, driver_factor};
     }
   };
 

@@ -1,4 +1,5 @@
-// A joint whose zero lies a quarter or half turn from the table's.
+// A joint whose zero lies off the table's: a quarter or half turn, which is tried as a step, or any
+// angle, which the search finds where no steps help (SetUpSearch::Remastered).
 #include <cmath>
 
 #include <fmt/format.h>
@@ -10,6 +11,16 @@
 
 namespace dhcal {
 namespace {
+
+double OffsetOf(const SetUp::Joint& joint) { return joint.quarters * kPi / 2 + joint.offset; }
+
+bool IsOff(const SetUp::Joint& joint) { return joint.quarters != 0 || joint.offset != 0; }
+
+/// [deg] Exact for quarter turns; an angle that was fitted is known no better than to a tenth, and
+/// the calibration finds the rest.
+double InTenths(double degrees, const SetUp::Joint& joint) {
+  return joint.offset == 0 ? degrees : std::round(10 * degrees) / 10;
+}
 
 class ZeroOffsetKind : public CauseKind {
  public:
@@ -28,39 +39,46 @@ class ZeroOffsetKind : public CauseKind {
     }
   }
   int Weight(const SetUp& set_up) const override {
-    int count = 0;
-    for (const SetUp::Joint& joint : set_up.joints) count += joint.quarters != 0 ? 1 : 0;
-    return kOneCause * count;
+    int weight = 0;
+    for (const SetUp::Joint& joint : set_up.joints) {
+      // Any angle can fit more than four can.
+      if (IsOff(joint)) weight += joint.offset != 0 ? kOneCause + 1 : kOneCause;
+    }
+    return weight;
   }
   void Undo(const SetUp& set_up, std::vector<SetUp>* set_ups) const override {
     for (std::size_t j = 0; j < set_up.joints.size(); ++j) {
-      if (set_up.joints[j].quarters == 0) continue;
+      if (!IsOff(set_up.joints[j])) continue;
       set_ups->push_back(set_up);
       set_ups->back().joints[j].quarters = 0;
+      set_ups->back().joints[j].offset = 0;
     }
   }
   void Describe(const Files& files,
                 const SetUp& set_up,
                 std::vector<SetupCause>* causes) const override {
     for (int j = 0; j < files.num_joints(); ++j) {
-      const int quarters = set_up.joints[static_cast<std::size_t>(j)].quarters;
-      if (quarters == 0) continue;
+      const SetUp::Joint& joint = set_up.joints[static_cast<std::size_t>(j)];
+      if (!IsOff(joint)) continue;
+      const double off = OffsetOf(joint) / kDegree;
       const JointRow& row = files.robot().joints[static_cast<std::size_t>(j)];
       SetupCause cause;
       cause.kind = name();
       cause.joints = {j + 1};
-      cause.sentence = fmt::format(
-          "the zero of {} lies {:+d} deg from the table's", JointList(files, {j}), 90 * quarters);
+      cause.sentence = fmt::format("the zero of {} lies {} deg from the table's",
+                                   JointList(files, {j}),
+                                   fmt::format("{:+g}", InTenths(off, joint)));
       cause.where = row.where;
       cause.text = fmt::format(
           "theta_deg: {:g}",
-          std::remainder(FactorOf(set_up.table_unit) * row.theta / kDegree + 90 * quarters, 360));
+          InTenths(std::remainder(FactorOf(set_up.table_unit) * row.theta / kDegree + off, 360),
+                   joint));
       causes->push_back(cause);
     }
   }
   void Cure(const SetUp& set_up, CuredFiles* files) const override {
     for (std::size_t j = 0; j < set_up.joints.size(); ++j) {
-      files->spec.robot.joints[j].theta += set_up.joints[j].quarters * kPi / 2;
+      files->spec.robot.joints[j].theta += OffsetOf(set_up.joints[j]);
     }
   }
 };

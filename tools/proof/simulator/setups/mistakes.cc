@@ -62,6 +62,15 @@ void MoveZero(WrongFiles* files, Rng* rng) {
   Write("zero_offset", joints, files);
 }
 
+/// A joint whose mastering was lost.
+void Master(WrongFiles* files, Rng* rng) {
+  const std::vector<int> joints = DrawSome(Turning(files->table), 1, rng);
+  for (const int j : joints) {
+    files->q.col(j).array() += DrawSign(rng) * rng->Uniform(3, 60) * kDegree;
+  }
+  Write("zero_offset", joints, files);
+}
+
 void Reorder(WrongFiles* files, Rng* rng) {
   std::vector<int> turning = Turning(files->table), order = turning;
   switch (DrawInt(3, rng)) {
@@ -176,6 +185,7 @@ std::vector<MistakeSource> MistakeSources(const WrongFiles& files) {
   return {{"coupling", six, Couple},
           {"joint_sense", true, CountTheOtherWay},
           {"zero_offset", true, MoveZero},
+          {"mastering", true, Master},
           {"joint_order", true, Reorder},
           {"joint unit", true, MisnameJointUnit},
           {"table unit", true, table_unit},
