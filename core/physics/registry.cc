@@ -29,6 +29,7 @@ namespace dhcal {
   DHCAL_EFFECT(Latency)                 \
   DHCAL_EFFECT(SensorScale)             \
   DHCAL_EFFECT(LengthOffset)            \
+  DHCAL_EFFECT(InstrumentDrift)         \
   DHCAL_EFFECT(AxisTilt)                \
   DHCAL_EFFECT(BaseFrame)               \
   DHCAL_EFFECT(ToolOffset)              \

@@ -157,7 +157,10 @@ Loop::Found Loop::SearchAt(const JointRows& joint,
     own.unnamed = item.kind == ItemKind::kCell;
     own.chosen_name = item.kind != ItemKind::kCompletion;
     own.positive = item.positive;
-    if (item.kind == ItemKind::kEffect) own.typical = item.typical;
+    if (item.kind == ItemKind::kEffect) {
+      own.typical = item.typical;
+      own.taken_for = item.taken_for;
+    }
     first += item.size;
     gram_items.push_back(std::move(own));
   }

@@ -34,6 +34,7 @@ struct Item {
   /// Per parameter, SI: 1 / spread that a prior gives it, where only a prior keeps what the rows do
   /// not determine from running away (a free curve); 0 = none.
   Eigen::VectorXd precision;
+  std::string taken_for;                    // effect: class of those that it is easily taken for
   bool elastic = false;                     // its shape rests on the masses
   std::vector<int> unknowns;                // completion: the geometric unknowns that it frees
   std::shared_ptr<const SlotColumns> cell;  // cell: its columns

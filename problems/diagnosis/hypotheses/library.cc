@@ -230,8 +230,9 @@ Item NamedItem(const PhysicsContext& c, const EffectRequest& request, int varian
     if (spread > 0) item.precision[k] = 1 / spread;
     item.positive.push_back(columns[static_cast<std::size_t>(k)].positive);
   }
-  const std::string driver = effect.Place(c, request).driver;
-  item.elastic = driver == "gravity torque" || driver == "overturning moment";
+  const EffectPlace place = effect.Place(c, request);
+  item.elastic = place.driver == "gravity torque" || place.driver == "overturning moment";
+  item.taken_for = place.effect_class;
   return item;
 }
 

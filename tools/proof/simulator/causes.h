@@ -39,6 +39,8 @@ Cause BaseMovesBetweenRuns(const std::vector<Move>& moves);
 Cause Late(double seconds);
 Cause NotSettled(double share);
 Cause ReadsLong(double offset, int anchors);
+/// The instrument warms up, and its unit of length with it.
+Cause InstrumentGrows(double growth, double lag);
 
 // Outside the library.
 Cause ToothDamaged(int joint, double at, double width, double depth);

@@ -136,7 +136,20 @@ Cause NotSettled(double share) {
 Cause ReadsLong(double offset, int anchors) {
   Cause cause = At(NamedCause("length_offset", 0, ""), "sensor", "base");
   cause.parameters = anchors;
-  cause.apply = [=](Physics* physics, double scale) { physics->length_offset += scale * offset; };
+  cause.apply = [=](Physics* physics, double scale) {
+    physics->instrument.length_offset += scale * offset;
+  };
+  return cause;
+}
+
+Cause InstrumentGrows(double growth, double lag) {
+  Cause cause = At(NamedCause("instrument_drift", 0, "C5"), "sensor", "base");
+  cause.settings = {{"time_constant_s", lag}};
+  cause.values = {{"scale", growth}};
+  cause.apply = [=](Physics* physics, double scale) {
+    physics->instrument.growth += scale * growth;
+    physics->instrument.lag = lag;
+  };
   return cause;
 }
 

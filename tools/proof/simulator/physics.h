@@ -80,6 +80,13 @@ struct Step {
   Move base;
 };
 
+/// What is wrong with the instrument itself.
+struct Instrument {
+  double length_offset = 0;  // [m] of one that reads distances
+  double growth = 0;         // [1] of its unit of length as it warms up, in the end
+  double lag = 1;            // [s] of that, one exponential
+};
+
 struct Physics {
   std::vector<Drive> drives;  // one per joint
   std::vector<GearLine> lines;
@@ -91,9 +98,9 @@ struct Physics {
   std::vector<Drift> drifts;
   std::vector<Step> steps;
   std::vector<Wobble> wobbles;
-  std::vector<Move> base_of_run;                   // of run 1, 2, ...; empty = it stays
-  double settling = 0;                             // share of the last move that is still missing
-  double length_offset = 0;                        // [m] of an instrument that reads distances
+  std::vector<Move> base_of_run;  // of run 1, 2, ...; empty = it stays
+  double settling = 0;            // share of the last move that is still missing
+  Instrument instrument;
   double latency = 0;                              // [s]
   Eigen::Vector3d sway = Eigen::Vector3d::Zero();  // [m] the floor swings
   double sway_period = 900;                        // [s]

@@ -123,6 +123,10 @@ void MoveWithTime(
 
 }  // namespace
 
+double ScaleOf(const Instrument& instrument, double time) {
+  return 1 + instrument.growth * Warmed(time, instrument.lag);
+}
+
 MatrixXd LostMotion(const Arm& built, const Physics& physics, const Motion& motion) {
   const ScrewArm screws(built);
   const int n = built.num_joints();

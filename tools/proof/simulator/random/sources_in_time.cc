@@ -54,6 +54,12 @@ std::vector<CauseSource> SourcesInTime(const Subject& subject) {
          return Causes{Chance(0.5, rng) ? FirstLinkGrows(strength * 1e-4, lag)
                                         : SecondLinkGrows(strength * 1e-4, lag)};
        }},
+      {2,
+       warms,
+       [](const Subject& of, double strength, Rng* rng) {
+         const double lag = of.duration() * rng->Uniform(0.08, 0.6);
+         return Causes{InstrumentGrows(DrawSign(rng) * strength * 2e-5, lag)};
+       }},
       {1,
        true,
        [](const Subject& of, double strength, Rng* rng) {
