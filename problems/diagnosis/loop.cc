@@ -137,7 +137,7 @@ Loop::Found Loop::SearchAt(const JointRows& joint,
   items.insert(items.end(), completions.begin(), completions.end());
   std::set<std::string> names;
   for (const Item& item : items) {
-    if (item.is_name()) names.insert(item.id);
+    if (item.is_name()) names.insert(item.kind == ItemKind::kEffect ? item.counted_as : item.id);
   }
   Found found;
   found.names = static_cast<int>(names.size());

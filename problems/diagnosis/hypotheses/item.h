@@ -25,6 +25,8 @@ struct Item {
   /// Name and place ("joint_compliance.2"). Variants that differ only in settings (an instant, an
   /// order, a time constant) share it.
   std::string id;
+  /// The id but for what `variants` pays for: names that one is chosen from are counted by it.
+  std::string counted_as;
   EffectRequest request;       // effect or completion
   std::string slot, driver;    // cell: "theta3", "q2"
   int size = 0;                // parameters
