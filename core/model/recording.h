@@ -18,10 +18,12 @@ struct ColumnAlias {
   SourceLocation ours_where, theirs_where;
 };
 
-/// A numeric column that the program has no name for; kept as a possible driver of a mismatch.
+/// A numeric column that the program does nothing with: one that it has no name for is kept as a
+/// possible driver of a mismatch, a reading that it does not use yet only for copies of the file.
 struct ExtraColumn {
   std::string name;
   Eigen::VectorXd values;  // NaN = blank
+  bool is_reading = false;
 };
 
 /// Columns are stored column-wise, SI units. A matrix or vector with zero rows = the column is

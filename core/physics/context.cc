@@ -114,6 +114,17 @@ Eigen::Vector3d PhysicsContext::p_WQ(int row_idx) const {
   return X_WB(row_idx) * (X_BL(row_idx, num_joints() - 1) * X_TQ(row_idx).translation());
 }
 
+const Anchor* PhysicsContext::anchor(int row_idx) const {
+  if (recording_.distance.size() == 0 || recording_.anchor_idx.empty()) return nullptr;
+  const int idx = recording_.anchor_idx[static_cast<std::size_t>(row_idx)];
+  if (idx < 0) return nullptr;
+  const std::string& name = recording_.anchor_names[static_cast<std::size_t>(idx)];
+  const auto found = std::find_if(robot_.anchors.begin(),
+                                  robot_.anchors.end(),
+                                  [&](const Anchor& anchor) { return anchor.name == name; });
+  return found == robot_.anchors.end() ? nullptr : &*found;
+}
+
 Eigen::Matrix<double, 6, 1> PhysicsContext::AsBaseSlots(int row_idx, const Twist& twist) const {
   // Beyond the place, p moves by translation + rotation x (p - at); a base perturbation moves it by
   // t + rotation x p (p from the base's origin).

@@ -78,6 +78,8 @@ class PhysicsContext {
   /// Where the nominal robot has the measured point Q, in W [m]. Never what was read: a column that
   /// held a reading would hold the residual, and explain it.
   Eigen::Vector3d p_WQ(int row_idx) const;
+  /// Anchor to which a row's distance is read; null where no distance is read.
+  const Anchor* anchor(int row_idx) const;
 
   /// The six base slots' perturbation that moves Q as the twist does, to first order.
   Eigen::Matrix<double, 6, 1> AsBaseSlots(int row_idx, const Twist& twist) const;

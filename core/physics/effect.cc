@@ -13,6 +13,9 @@ std::string InstanceName(const EffectRequest& request) {
   std::string name = request.effect;
   if (request.joint > 0) name += fmt::format(" at joint {}", request.joint);
   std::string settings;
+  for (const auto& [key, word] : request.words) {
+    settings += fmt::format("{}{} {}", settings.empty() ? "" : ", ", key, word);
+  }
   for (const auto& [key, value] : request.settings) {
     settings += fmt::format("{}{} {:.6g}", settings.empty() ? "" : ", ", key, value);
   }

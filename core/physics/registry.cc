@@ -29,6 +29,8 @@ namespace dhcal {
   DHCAL_EFFECT(Latency)                 \
   DHCAL_EFFECT(SensorScale)             \
   DHCAL_EFFECT(LengthOffset)            \
+  DHCAL_EFFECT(InstrumentDrift)         \
+  DHCAL_EFFECT(ColumnDriver)            \
   DHCAL_EFFECT(AxisTilt)                \
   DHCAL_EFFECT(BaseFrame)               \
   DHCAL_EFFECT(ToolOffset)              \
@@ -75,6 +77,8 @@ std::optional<WholeRange> WholeSetting(const std::string& setting, int num_joint
   }
   return std::nullopt;
 }
+
+bool IsWord(const std::string& setting) { return setting == "column" || setting == "slot"; }
 
 std::vector<EffectColumn> EffectColumns(const PhysicsContext& context,
                                         const EffectRequest& request) {

@@ -31,6 +31,9 @@ struct WholeRange {
 /// nothing where it may be any number.
 std::optional<WholeRange> WholeSetting(const std::string& setting, int num_joints);
 
+/// True if a setting of this name is a word: the name of a column, of a slot.
+bool IsWord(const std::string& setting);
+
 /// Columns of a request's effect; the effect must exist and be testable.
 std::vector<EffectColumn> EffectColumns(const PhysicsContext& context,
                                         const EffectRequest& request);

@@ -46,6 +46,7 @@ Recording WorkedExampleRecording() {
   recording.distance = Eigen::Vector3d::Ones();
   recording.anchor_names = {"A"};
   recording.anchor_idx = {0, 0, 0};
+  recording.extra.push_back({"motor_temp", Eigen::Vector3d(30, 40, 55)});
   recording.run_names = {"1", "2"};
   recording.run_idx = {0, 0, 1};
   return recording;

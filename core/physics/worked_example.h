@@ -3,6 +3,7 @@
 // A KUKA KR 15-like arm (standard DH, six revolute joints), each link 10 kg with its centre of mass
 // at its frame's origin, nothing carried at row 0. Distances are read to one anchor, A, 1 m below
 // the point of row 0.
+// Beside it somebody recorded motor_temp: 30, 40, 55.
 //   row 0   all joints 0, direction +1, t = 0 s, 20 degC
 //   row 1   q = (10, 20, 30, 40, 50, 60) deg, direction +1, t = 3600 s, 30 degC, 0.5 rad/s, 100 N
 //   m,

@@ -137,7 +137,7 @@ Loop::Found Loop::SearchAt(const JointRows& joint,
   items.insert(items.end(), completions.begin(), completions.end());
   std::set<std::string> names;
   for (const Item& item : items) {
-    if (item.is_name()) names.insert(item.id);
+    if (item.is_name()) names.insert(item.kind == ItemKind::kEffect ? item.counted_as : item.id);
   }
   Found found;
   found.names = static_cast<int>(names.size());
@@ -157,7 +157,10 @@ Loop::Found Loop::SearchAt(const JointRows& joint,
     own.unnamed = item.kind == ItemKind::kCell;
     own.chosen_name = item.kind != ItemKind::kCompletion;
     own.positive = item.positive;
-    if (item.kind == ItemKind::kEffect) own.typical = item.typical;
+    if (item.kind == ItemKind::kEffect) {
+      own.typical = item.typical;
+      own.taken_for = item.taken_for;
+    }
     first += item.size;
     gram_items.push_back(std::move(own));
   }

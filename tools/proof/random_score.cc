@@ -16,6 +16,15 @@ using Json = nlohmann::json;
 constexpr double kSurePower = 0.95;  // a cause is detectable
 constexpr double kShows = 0.05;      // physics of no library disturbs what else is named
 
+/// Words (a column, a slot) say what a name speaks of and where.
+bool SaysTheSameWords(const Json& name, const Json& cause) {
+  const Json words = cause.value("words", Json::object());
+  for (const auto& [key, word] : words.items()) {
+    if (name.value(key, "") != word) return false;
+  }
+  return true;
+}
+
 /// A name (finding, alternative, member of a hypothesis) that is the cause's own, or one of those
 /// that say the same of such readings. Settings of a name (orders, drivers, instants) do not count.
 bool Names(const Json& name, const Json& cause) {
@@ -24,7 +33,7 @@ bool Names(const Json& name, const Json& cause) {
   const Json& also = cause.at("also");
   const bool alike =
       effect == cause.at("effect") || std::find(also.begin(), also.end(), effect) != also.end();
-  if (alike && (place == 0 || joint == place)) return true;
+  if (alike && (place == 0 || joint == place) && SaysTheSameWords(name, cause)) return true;
   const Json& same = cause.at("same");
   return std::any_of(same.begin(), same.end(), [&](const Json& other) {
     return effect == other.at("effect") && (JointOf(other) == 0 || joint == JointOf(other));

@@ -46,7 +46,7 @@ class LengthOffsetEffect final : public Effect {
       column.typical = kMillimetre;
       Eigen::Matrix3Xd sight = Eigen::Matrix3Xd::Zero(3, c.num_rows());
       for (int row = 0; row < c.num_rows(); ++row) {
-        if (AnchorOf(c.recording(), row) == anchor.name) {
+        if (c.anchor(row) == &anchor) {
           sight.col(row) = (c.p_WQ(row) - anchor.p_WA).normalized();
         }
       }
@@ -90,12 +90,6 @@ class LengthOffsetEffect final : public Effect {
     example.slot = "base_z";
     example.expected = 15e-3;
     return example;
-  }
-
- private:
-  static std::string AnchorOf(const Recording& recording, int row) {
-    const int anchor = recording.anchor_idx[static_cast<std::size_t>(row)];
-    return anchor < 0 ? "" : recording.anchor_names[static_cast<std::size_t>(anchor)];
   }
 };
 

@@ -25,6 +25,8 @@ struct Item {
   /// Name and place ("joint_compliance.2"). Variants that differ only in settings (an instant, an
   /// order, a time constant) share it.
   std::string id;
+  /// The id but for what `variants` pays for: names that one is chosen from are counted by it.
+  std::string counted_as;
   EffectRequest request;       // effect or completion
   std::string slot, driver;    // cell: "theta3", "q2"
   int size = 0;                // parameters
@@ -34,6 +36,7 @@ struct Item {
   /// Per parameter, SI: 1 / spread that a prior gives it, where only a prior keeps what the rows do
   /// not determine from running away (a free curve); 0 = none.
   Eigen::VectorXd precision;
+  std::string taken_for;                    // effect: class of those that it is easily taken for
   bool elastic = false;                     // its shape rests on the masses
   std::vector<int> unknowns;                // completion: the geometric unknowns that it frees
   std::shared_ptr<const SlotColumns> cell;  // cell: its columns

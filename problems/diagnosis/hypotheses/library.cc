@@ -24,6 +24,7 @@ constexpr int kCurveKnotsTried[] = {8, 14, 28, 120};
 constexpr int kPosesPerKnot = 20;
 constexpr int kFewestKnots = 4;
 constexpr int kOrdersOfAScan = 150;
+constexpr char kColumn[] = "column";  // setting
 // The names that search this scan: a line of free order is chosen from all of them.
 constexpr double kHighestWholeOrder = 7;
 
@@ -37,10 +38,18 @@ bool IsScannedSetting(const std::string& name) {
 std::string IdOf(const EffectRequest& request) {
   std::string id = request.effect;
   if (request.joint > 0) id += fmt::format(".{}", request.joint);
+  for (const auto& [name, word] : request.words) id += fmt::format(".{}={}", name, word);
   for (const auto& [name, value] : request.settings) {
     if (!IsScannedSetting(name)) id += fmt::format(".{}={:.6g}", name, value);
   }
   return id;
+}
+
+/// Whatever column a slot follows is one name, and the choice of the column one of form: many
+/// columns that nobody knows must not make all other names dear.
+std::string CountedAs(EffectRequest request) {
+  request.words.erase(kColumn);
+  return IdOf(request);
 }
 
 bool TakesSetting(const Effect& effect, const std::string& name) {
@@ -190,8 +199,11 @@ std::vector<EffectRequest> FormsOf(const Effect& effect,
 }
 
 /// What the choice of this form costs.
-int VariantsOf(const EffectRequest& request, int same_id, int num_joints) {
-  if (request.settings.count("driver_joint") > 0) return std::max(1, num_joints - 1);
+int VariantsOf(const PhysicsContext& c, const EffectRequest& request, int same_id) {
+  if (request.settings.count("driver_joint") > 0) return std::max(1, c.num_joints() - 1);
+  if (request.words.count(kColumn) > 0) {
+    return std::max<int>(1, static_cast<int>(c.recording().extra.size()));
+  }
   const double order = request.setting("order", 0);
   if (order > kHighestWholeOrder) return kOrdersOfAScan;
   if (order >= 4) return 7;
@@ -220,8 +232,9 @@ Item NamedItem(const PhysicsContext& c, const EffectRequest& request, int varian
   item.request = request;
   item.request.values.clear();
   item.id = IdOf(request);
+  item.counted_as = CountedAs(request);
   item.size = static_cast<int>(columns.size());
-  item.variants = VariantsOf(request, variants, c.num_joints());
+  item.variants = VariantsOf(c, request, variants);
   item.typical.resize(item.size);
   item.precision = Eigen::VectorXd::Zero(item.size);
   for (int k = 0; k < item.size; ++k) {
@@ -230,8 +243,9 @@ Item NamedItem(const PhysicsContext& c, const EffectRequest& request, int varian
     if (spread > 0) item.precision[k] = 1 / spread;
     item.positive.push_back(columns[static_cast<std::size_t>(k)].positive);
   }
-  const std::string driver = effect.Place(c, request).driver;
-  item.elastic = driver == "gravity torque" || driver == "overturning moment";
+  const EffectPlace place = effect.Place(c, request);
+  item.elastic = place.driver == "gravity torque" || place.driver == "overturning moment";
+  item.taken_for = place.effect_class;
   return item;
 }
 

@@ -38,6 +38,7 @@ std::string AdviceOf(const std::string& effect_class) {
       {"C6", "measured orientations, several arm shapes before and after the step"},
       {"C7", "a second length standard"},
       {"C8", "sidebands of the line, the gear's tooth and pole counts"},
+      {"column", "the same poses at other values of the column"},
       {"C9", "wrist flips and turns of joints 4 and 6 beyond 180 deg"}};
   const auto found = advice.find(effect_class);
   return found == advice.end() ? "poses over a wider range" : found->second;

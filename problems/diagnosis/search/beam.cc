@@ -46,6 +46,24 @@ bool Contains(const std::set<std::string>& set, const std::set<std::string>& par
   return std::includes(set.begin(), set.end(), part.begin(), part.end());
 }
 
+/// The set with each member exchanged for each other name that it is easily taken for.
+std::vector<ItemSet> Exchanged(const ItemSet& set, const SetEvaluator& evaluator) {
+  const std::vector<GramItem>& items = evaluator.items();
+  std::vector<ItemSet> exchanged;
+  for (const int member : set) {
+    const GramItem& own = items[static_cast<std::size_t>(member)];
+    const ItemSet others = Without(set, ItemSet(1, member));
+    const std::set<std::string> ids = IdsOf(set, evaluator);
+    for (std::size_t k = 0; k < items.size(); ++k) {
+      const bool alike = !own.taken_for.empty() && items[k].taken_for == own.taken_for;
+      if (alike && ids.count(items[k].id) == 0) {
+        exchanged.push_back(With(others, static_cast<int>(k)));
+      }
+    }
+  }
+  return exchanged;
+}
+
 }  // namespace
 
 BeamOutcome SearchSets(const std::vector<ItemSet>& starts, SetEvaluator* evaluator) {
@@ -91,10 +109,17 @@ std::vector<ItemSet> NotToldApart(const BeamOutcome& outcome,
                                   double margin,
                                   SetEvaluator* evaluator) {
   const double limit = evaluator->Evaluate(reference).evidence + margin;
+  std::map<ItemSet, double> near;
+  for (const auto& [set, evidence] : outcome.seen) {
+    if (evidence <= limit) near[set] = evidence;
+  }
+  for (const ItemSet& set : Exchanged(reference, *evaluator)) {
+    if (evaluator->FrugalEvidence(set) > evaluator->FrugalEvidence(reference) + margin) continue;
+    near[set] = evaluator->Evaluate(set).evidence;
+  }
   std::vector<ItemSet> listed;
   std::vector<std::set<std::string>> ids_listed;
-  for (const ItemSet& set : Best(outcome.seen, outcome.seen.size())) {
-    if (outcome.seen.at(set) > limit) break;
+  for (const ItemSet& set : Best(near, near.size())) {
     if (static_cast<int>(listed.size()) >= kTuning.longest_list) break;
     const std::set<std::string> ids = IdsOf(set, *evaluator);
     const bool larger = std::any_of(ids_listed.begin(), ids_listed.end(), [&](const auto& other) {
@@ -102,7 +127,7 @@ std::vector<ItemSet> NotToldApart(const BeamOutcome& outcome,
     });
     if (larger) continue;
     const bool each_pays = std::all_of(set.begin(), set.end(), [&](int i) {
-      return evaluator->Evaluate(Without(set, ItemSet(1, i))).evidence > outcome.seen.at(set);
+      return evaluator->Evaluate(Without(set, ItemSet(1, i))).evidence > near.at(set);
     });
     if (!each_pays) continue;
     listed.push_back(set);

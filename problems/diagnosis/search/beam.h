@@ -18,8 +18,11 @@ struct BeamOutcome {
 /// From the starts and from nothing.
 BeamOutcome SearchSets(const std::vector<ItemSet>& starts, SetEvaluator* evaluator);
 
-/// The sets within `margin` of `reference`'s evidence, best first, made minimal: none contains
-/// another (by the ids of its items), each member pays in its set, sets of equal ids are one.
+/// The sets within `margin` of `reference`'s evidence, and those that are within it where a
+/// parameter costs no more than it takes of noise, if they only exchange a member for a name that
+/// it is easily taken for: few parameters are a reason to prefer, not to exclude. Best first, made
+/// minimal: none contains another (by the ids of its items), each member pays in its set, sets of
+/// equal ids are one.
 std::vector<ItemSet> NotToldApart(const BeamOutcome& outcome,
                                   const ItemSet& reference,
                                   double margin,

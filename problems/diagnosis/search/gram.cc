@@ -78,7 +78,8 @@ SetEvaluator::SetEvaluator(Gram gram, std::vector<GramItem> items, const Evidenc
     for (int k = item.first; k < item.first + item.size; ++k) {
       if (gram_.G(k, k) > kVisible * gram_.norm2[k]) ++visible;
     }
-    price_.push_back(rule_.Price(std::max(visible, 1), item.variants, item.chosen_name) +
+    visible_.push_back(std::max(visible, 1));
+    price_.push_back(rule_.Price(visible_.back(), item.variants, item.chosen_name) +
                      (item.unnamed ? kTuning.unnamed_charge : 0.0));
   }
 }
@@ -153,6 +154,15 @@ const SetValue& SetEvaluator::Evaluate(const ItemSet& set) {
     }
   }
   return known_.emplace(set, std::move(result)).first->second;
+}
+
+double SetEvaluator::FrugalEvidence(const ItemSet& set) {
+  constexpr double kOfNoise = 2;
+  double evidence = Evaluate(set).evidence;
+  for (const int i : set) {
+    evidence -= visible_[static_cast<std::size_t>(i)] * (std::log(rule_.poses) - kOfNoise);
+  }
+  return evidence;
 }
 
 struct SetEvaluator::Beside {

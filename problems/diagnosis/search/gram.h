@@ -43,6 +43,7 @@ struct GramItem {
   int variants = 1;
   bool unnamed = false;        // a free function: a name that does nearly as well comes before it
   bool chosen_name = true;     // false: one of very few (a completion), whose choice costs nothing
+  std::string taken_for;       // class of names that it is easily taken for; empty = none
   std::vector<bool> positive;  // per column: negative values are impossible
   Eigen::VectorXd typical;     // usual size per column; empty = none is unusual
 };
@@ -72,6 +73,10 @@ class SetEvaluator {
   const EvidenceRule& rule() const { return rule_; }
   double price(int item) const { return price_[static_cast<std::size_t>(item)]; }
 
+  /// What the evidence of a set would be if a parameter cost as much as it takes of noise, 2
+  /// (Akaike 1974), instead of the logarithm of the poses.
+  double FrugalEvidence(const ItemSet& set);
+
   /// Least squares with the signs that the items allow, sizes weighed.
   const SetValue& Evaluate(const ItemSet& set);
 
@@ -92,6 +97,7 @@ class SetEvaluator {
   std::vector<GramItem> items_;
   EvidenceRule rule_;
   std::vector<double> price_;
+  std::vector<int> visible_;  // columns of each item that the geometry leaves
   std::map<ItemSet, SetValue> known_;
 };
 

@@ -219,6 +219,7 @@ YAML::Node FoundEffectNode(const EffectRequest& effect) {
   YAML::Node node = FlowMap();
   node["effect"] = effect.effect;
   if (effect.joint > 0) node["joint"] = std::to_string(effect.joint);
+  for (const auto& [key, word] : effect.words) node[key] = word;
   for (const auto& [key, value] : effect.settings) node[key] = Digits(value);
   node["values"] = ValuesNode(effect);
   return node;

@@ -77,7 +77,12 @@ void ReadEffect(const YamlValue& item,
     map.Read("joint", &request.joint, 1, std::max(robot.num_joints(), 1));
   }
   for (const auto& [key, meaning] : description.settings) {
-    if (map.Has(key)) request.settings[key] = ReadSetting(key, robot, &map);
+    if (!map.Has(key)) continue;
+    if (IsWord(key)) {
+      map.Read(key, &request.words[key]);
+    } else {
+      request.settings[key] = ReadSetting(key, robot, &map);
+    }
   }
   ReadValues(&map, with_values, &request);
   request.held = !with_values && !request.values.empty();

@@ -150,7 +150,7 @@ std::vector<ExtraColumn> RecordingFiller::Extra() {
   if (!layout_.Has(RecordingField::kHead)) return extra;
   for (const int column : layout_.fields.at(RecordingField::kHead).column) {
     if (column < 0) continue;
-    extra.push_back({std::string(table_.name(column)), cells_.ReadNumbers(column)});
+    extra.push_back({std::string(table_.name(column)), cells_.ReadNumbers(column), true});
   }
   return extra;
 }

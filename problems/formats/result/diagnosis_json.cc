@@ -11,6 +11,7 @@ namespace {
 Json EffectToJson(const EffectRequest& request) {
   Json object = {{"effect", request.effect}};
   object["joint"] = request.joint > 0 ? Json(request.joint) : Json(nullptr);
+  for (const auto& [key, word] : request.words) object[key] = word;
   for (const auto& [key, value] : request.settings) object[key] = value;
   return object;
 }

@@ -165,7 +165,9 @@ Json EffectsToJson(const std::vector<EffectRequest>& effects) {
   for (const EffectRequest& effect : effects) {
     Json entry = {{"effect", effect.effect}};
     if (effect.joint > 0) entry["joint"] = effect.joint;
-    if (!effect.settings.empty()) entry["settings"] = effect.settings;
+    Json settings = effect.settings;
+    for (const auto& [key, word] : effect.words) settings[key] = word;
+    if (!settings.empty()) entry["settings"] = settings;
     entry["values"] = effect.values;
     array.push_back(std::move(entry));
   }

@@ -18,6 +18,7 @@ struct Cause {
   std::string effect;                              // "" = nothing in the library is like it
   int joint = 0;                                   // from 1; 0 = none
   std::map<std::string, double> settings, values;  // values that an interval should hold
+  std::map<std::string, std::string> words;        // settings that are words
   std::string effect_class, location;
   std::string slot;    // where it acts, in the words of the mismatch map
   int parameters = 1;  // that describe it

@@ -3,6 +3,7 @@
 #ifndef DHCAL_TOOLS_PROOF_SIMULATOR_CAUSES_H_
 #define DHCAL_TOOLS_PROOF_SIMULATOR_CAUSES_H_
 
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -39,6 +40,14 @@ Cause BaseMovesBetweenRuns(const std::vector<Move>& moves);
 Cause Late(double seconds);
 Cause NotSettled(double share);
 Cause ReadsLong(double offset, int anchors);
+/// A slot (in the words of FORMATS.md: "theta3", "a2", "base_x", "tool_z") moves by `amount` [rad
+/// or m] times `course`, one number per row, of which a column of this name is what was recorded.
+Cause Follows(const std::string& column,
+              const std::string& slot,
+              const Eigen::VectorXd& course,
+              double amount);
+/// The instrument warms up, and its unit of length with it.
+Cause InstrumentGrows(double growth, double lag);
 
 // Outside the library.
 Cause ToothDamaged(int joint, double at, double width, double depth);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/proof/simulator/arm.h"
 #include "tools/proof/simulator/causes.h"
 
 namespace dhcal::concealed {
@@ -19,6 +20,29 @@ std::function<void(Physics*, double)> WarmsUp(int link, double strain, double la
     const auto place = link == 1 ? physics->thermal.begin() : physics->thermal.end();
     physics->thermal.insert(place, body);
   };
+}
+
+/// Moves what a slot's name says.
+std::function<void(Arm*, double)> MoverOf(const std::string& slot) {
+  const std::size_t underscore = slot.find('_');
+  if (underscore != std::string::npos) {
+    const int axis = slot[underscore + 1] - 'x';
+    if (slot.substr(0, underscore) == "base") {
+      return [axis](Arm* arm, double x) { arm->base.translation()[axis] += x; };
+    }
+    return [axis](Arm* arm, double x) {
+      arm->tool.translation()[axis] += x;
+      for (Eigen::Isometry3d& target : arm->targets) target.translation()[axis] += x;
+    };
+  }
+  const std::size_t number = slot.find_first_of("123456789");
+  const std::string name = slot.substr(0, number);
+  const std::size_t link = std::stoul(slot.substr(number)) - 1;
+  double DrawnLink::*const member = name == "theta" ? &DrawnLink::theta
+                                    : name == "d"   ? &DrawnLink::d
+                                    : name == "a"   ? &DrawnLink::a
+                                                    : &DrawnLink::alpha;
+  return [link, member](Arm* arm, double x) { arm->links[link].*member += x; };
 }
 
 }  // namespace
@@ -136,7 +160,32 @@ Cause NotSettled(double share) {
 Cause ReadsLong(double offset, int anchors) {
   Cause cause = At(NamedCause("length_offset", 0, ""), "sensor", "base");
   cause.parameters = anchors;
-  cause.apply = [=](Physics* physics, double scale) { physics->length_offset += scale * offset; };
+  cause.apply = [=](Physics* physics, double scale) {
+    physics->instrument.length_offset += scale * offset;
+  };
+  return cause;
+}
+
+Cause Follows(const std::string& column,
+              const std::string& slot,
+              const Eigen::VectorXd& course,
+              double amount) {
+  Cause cause = At(NamedCause("column_driver", 0, "column"), slot, slot);
+  cause.words = {{"column", column}, {"slot", slot}};
+  cause.apply = [move = MoverOf(slot), course, amount](Physics* physics, double scale) {
+    physics->followers.push_back({move, scale * amount * course});
+  };
+  return cause;
+}
+
+Cause InstrumentGrows(double growth, double lag) {
+  Cause cause = At(NamedCause("instrument_drift", 0, "C5"), "sensor", "base");
+  cause.settings = {{"time_constant_s", lag}};
+  cause.values = {{"scale", growth}};
+  cause.apply = [=](Physics* physics, double scale) {
+    physics->instrument.growth += scale * growth;
+    physics->instrument.lag = lag;
+  };
   return cause;
 }
 

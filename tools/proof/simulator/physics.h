@@ -10,6 +10,8 @@
 
 namespace dhcal::concealed {
 
+struct Arm;
+
 /// One joint's drive, from the motor's encoder to the link.
 struct Drive {
   double compliance = 0;        // [rad/(N m)] of the gear under load
@@ -80,6 +82,19 @@ struct Step {
   Move base;
 };
 
+/// A dimension of the arm that moves in step with something that is recorded beside the readings.
+struct Follower {
+  std::function<void(Arm*, double)> move;  // by so much [rad or m]
+  Eigen::VectorXd amount;                  // [rad or m] at each row
+};
+
+/// What is wrong with the instrument itself.
+struct Instrument {
+  double length_offset = 0;  // [m] of one that reads distances
+  double growth = 0;         // [1] of its unit of length as it warms up, in the end
+  double lag = 1;            // [s] of that, one exponential
+};
+
 struct Physics {
   std::vector<Drive> drives;  // one per joint
   std::vector<GearLine> lines;
@@ -91,9 +106,10 @@ struct Physics {
   std::vector<Drift> drifts;
   std::vector<Step> steps;
   std::vector<Wobble> wobbles;
-  std::vector<Move> base_of_run;                   // of run 1, 2, ...; empty = it stays
-  double settling = 0;                             // share of the last move that is still missing
-  double length_offset = 0;                        // [m] of an instrument that reads distances
+  std::vector<Follower> followers;
+  std::vector<Move> base_of_run;  // of run 1, 2, ...; empty = it stays
+  double settling = 0;            // share of the last move that is still missing
+  Instrument instrument;
   double latency = 0;                              // [s]
   Eigen::Vector3d sway = Eigen::Vector3d::Zero();  // [m] the floor swings
   double sway_period = 900;                        // [s]

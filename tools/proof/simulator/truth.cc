@@ -121,7 +121,20 @@ void MoveWithTime(
   frames->base_moves.push_back(physics.base_of_run[static_cast<std::size_t>(run) - 1]);
 }
 
+/// The arm as it is at a row.
+Arm ArmAt(const Arm& built, const Physics& physics, int row) {
+  Arm arm = built;
+  for (const Follower& follower : physics.followers) {
+    follower.move(&arm, follower.amount[row]);
+  }
+  return arm;
+}
+
 }  // namespace
+
+double ScaleOf(const Instrument& instrument, double time) {
+  return 1 + instrument.growth * Warmed(time, instrument.lag);
+}
 
 MatrixXd LostMotion(const Arm& built, const Physics& physics, const Motion& motion) {
   const ScrewArm screws(built);
@@ -157,10 +170,11 @@ MatrixXd LostMotion(const Arm& built, const Physics& physics, const Motion& moti
 }
 
 std::vector<Isometry3d> TruePoses(const Arm& built, const Physics& physics, const Motion& motion) {
-  const ScrewArm screws(built);
   const MatrixXd lost = LostMotion(built, physics, motion);
   std::vector<Isometry3d> poses;
   for (int row = 0; row < motion.num_poses(); ++row) {
+    const Arm arm = ArmAt(built, physics, row);
+    const ScrewArm screws(arm);
     Frames frames;
     Circumstances at;
     at.payload = motion.payload[row];
@@ -168,10 +182,10 @@ std::vector<Isometry3d> TruePoses(const Arm& built, const Physics& physics, cons
     HoldJoints(physics, motion, row, &at);
     MoveWithTime(physics, motion, row, &at, &frames);
     const Eigen::Isometry3d flange =
-        Equilibrium(built, screws, physics, motion.q.row(row).transpose(), at);
+        Equilibrium(arm, screws, physics, motion.q.row(row).transpose(), at);
     const auto i = static_cast<std::size_t>(row);
-    const Isometry3d& tool = built.target(motion.target.empty() ? 0 : motion.target[i]);
-    Isometry3d base = built.base;
+    const Isometry3d& tool = arm.target(motion.target.empty() ? 0 : motion.target[i]);
+    Isometry3d base = arm.base;
     for (const Move& move : frames.base_moves) base = Moved(base, move);
     poses.emplace_back(base * Eigen::Translation3d(frames.base_shift) * flange *
                        Eigen::Translation3d(frames.tool_shift) * tool);

@@ -22,6 +22,9 @@ std::vector<Eigen::Isometry3d> TruePoses(const Arm& built,
 /// Its positions [m] (poses x 3).
 Eigen::MatrixXd TruePositions(const Arm& built, const Physics& physics, const Motion& motion);
 
+/// What the instrument's unit of length makes of every length that it reads at a time.
+double ScaleOf(const Instrument& instrument, double time);
+
 /// [rad] what friction and play add to each joint (poses x joints).
 Eigen::MatrixXd LostMotion(const Arm& built, const Physics& physics, const Motion& motion);
 

@@ -94,6 +94,25 @@ TEST(NotToldApart, ListsWhatDoesAsWellOnceAndMinimal) {
   EXPECT_EQ(std::max(listed[0][0], listed[1][0]), 1);
 }
 
+/// Columns 1 to 4 are one item that holds nearly all of column 0, the cause; of one class or not.
+std::vector<ItemSet> ListedBesideALargerName(const std::string& taken_for) {
+  Setting s = RandomSetting(12, 7);
+  s.C.col(1) = s.C.col(0) + 0.01 * s.C.col(1);
+  s.y += 1.0 * s.C.col(0);
+  s.items.erase(s.items.begin() + 2, s.items.begin() + 5);
+  s.items[1].size = 4;
+  s.items[1].positive.assign(4, false);
+  s.items[0].taken_for = "C5";
+  s.items[1].taken_for = taken_for;
+  SetEvaluator evaluator = s.Evaluator();
+  return NotToldApart(SearchSets({}, &evaluator), {0}, 10, &evaluator);
+}
+
+TEST(NotToldApart, ListsANameOfTheSameClassThatHasMoreParameters) {
+  EXPECT_EQ(ListedBesideALargerName("C5"), (std::vector<ItemSet>{{0}, {1}}));
+  EXPECT_EQ(ListedBesideALargerName("C6"), (std::vector<ItemSet>{{0}}));
+}
+
 TEST(NotToldApart, OneClearCauseStandsAlone) {
   Setting s = RandomSetting(12, 6);
   s.y += 1.0 * s.C.col(5);

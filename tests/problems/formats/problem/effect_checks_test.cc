@@ -78,6 +78,23 @@ TEST(EffectChecks, ValueThatNeedsAColumnIsRefusedWithoutIt) {
   EXPECT_THAT(EffectMessages(effect), HasSubstr("it has no parameter 'compliance'"));
 }
 
+TEST(EffectChecks, ADriverMustBeAColumnThatIsThereAndActOnASlot) {
+  const std::string rows =
+      "q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,motor_temp\n0,10,20,1,1,1,30\n30,-40,50,1,1,1,35\n";
+  const auto messages = [&](const std::string& words) {
+    return EffectMessages("    - {effect: column_driver, " + words + "}\n", rows);
+  };
+  EXPECT_THAT(messages("column: motor_temp, slot: theta2"), Not(HasSubstr("error")));
+  EXPECT_THAT(messages("column: motor_temp, slot: theta2, values: {theta2: 1e-5}"),
+              Not(HasSubstr("error")));
+  EXPECT_THAT(messages("column: motor, slot: theta2"),
+              AllOf(HasSubstr("the effect column_driver (column motor, slot theta2) cannot be"),
+                    HasSubstr("has no column 'motor'"),
+                    HasSubstr("it has motor_temp")));
+  EXPECT_THAT(messages("column: motor_temp"), HasSubstr("needs the setting slot"));
+  EXPECT_THAT(messages("slot: theta2"), HasSubstr("needs the setting column"));
+}
+
 TEST(EffectChecks, CurveMayBeHeldWhereTheRecordingDoesNotGo) {
   const std::string effect = "    - {effect: transmission_error, joint: 2, values: {at_150: 1e-4";
   EXPECT_EQ(EffectMessages(effect + "}}\n"), "");

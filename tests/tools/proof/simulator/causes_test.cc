@@ -4,6 +4,7 @@
 #include "tools/proof/simulator/causes.h"
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -114,6 +115,21 @@ TEST(Causes, ABearingTiltsItsAxisTwicePerTurn) {
   const Vector3d tilt(w * std::cos(2 * q), w * std::sin(2 * q), 0);
   const Vector3d p(0.8 * std::cos(q), 0.8 * std::sin(q), 0);
   EXPECT_THAT(moved.row(0).transpose(), MatrixNear(tilt.cross(p), 1e-8));
+}
+
+TEST(Causes, ASlotThatFollowsSomethingMovesByItsCourse) {
+  const Motion motion = Standing({{0, 0, 0}, {0, 0, 20}});
+  const Eigen::Vector2d course(-1, 0.5);
+  const auto moved = [&](const std::string& slot) {
+    return MovedBy(
+        Follows("motor_temp", slot, course, 1e-4), Planar(Convention::kStandard), motion);
+  };
+  EXPECT_NEAR(moved("theta1")(1, 1), 0.8 * 0.5e-4, 1e-9);
+  EXPECT_NEAR(moved("alpha1")(0, 2), 0, 1e-9) << "along its own x";
+  EXPECT_NEAR(moved("a2")(0, 0), -1e-4, 1e-12);
+  EXPECT_NEAR(moved("d1")(1, 2), 0.5e-4, 1e-12);
+  EXPECT_NEAR(moved("base_y")(0, 1), -1e-4, 1e-12);
+  EXPECT_NEAR(moved("tool_z")(1, 2), 0.5e-4, 1e-12);
 }
 
 TEST(Causes, ALinkGrowsAlikeInBothConventions) {

@@ -103,7 +103,7 @@ VectorXd Seen(const RandomTrial& trial,
   return Observe(trial,
                  TruePoses(world.arm, world.physics, trial.motion),
                  reference,
-                 world.physics.length_offset);
+                 world.physics.instrument);
 }
 
 MatrixXd Derivatives(const RandomTrial& trial,

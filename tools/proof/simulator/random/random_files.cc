@@ -97,6 +97,7 @@ Json SettingsToJson(const RandomTrial& trial) {
           {"rows", std::to_string(trial.motion.num_poses())},
           {"test rows", s.test_rows ? "yes" : "no"},
           {"instrument", s.far ? "far" : "near"},
+          {"columns", std::to_string(trial.columns.size())},
           {"setups", ToString(s.setups)}};
 }
 
@@ -108,6 +109,7 @@ Json RandomCauseToJson(const Cause& cause) {
   return {{"effect", cause.effect},
           {"joint", cause.joint},
           {"settings", cause.settings},
+          {"words", cause.words},
           {"values", cause.values},
           {"location", cause.location},
           {"slot", cause.slot},

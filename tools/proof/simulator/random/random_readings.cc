@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tools/proof/simulator/random/draw.h"
+#include "tools/proof/simulator/random/observe.h"
 #include "tools/proof/simulator/random/poses.h"
 #include "tools/proof/simulator/screw.h"
 #include "tools/proof/simulator/truth.h"
@@ -50,17 +51,17 @@ double DrawOutlier(const Settings& s, Rng* rng) {
   return Chance(s.outliers, rng) ? DrawLogUniform(15, 300, rng) : 0;
 }
 
-double ReadDistance(const RandomTrial& trial, std::size_t i, const Vector3d& p, double error) {
-  const Vector3d& anchor = trial.anchors[static_cast<std::size_t>(trial.anchor[i])];
-  return (p - anchor).norm() + AllPhysics(trial).length_offset + error;
-}
-
 }  // namespace
 
 Eigen::MatrixXd RandomReadings(const RandomTrial& trial) {
   const Settings& s = trial.settings;
   Rng rng(trial.seed * 15485863 + 3);
-  const std::vector<Isometry3d> poses = TruePoses(trial.built, AllPhysics(trial), trial.motion);
+  const Physics physics = AllPhysics(trial);
+  const std::vector<Isometry3d> poses = TruePoses(trial.built, physics, trial.motion);
+  const auto position_read = [&](std::size_t row) -> Vector3d {
+    const double scale = ScaleOf(physics.instrument, trial.motion.time[static_cast<Index>(row)]);
+    return scale * poses[row].translation();
+  };
   const std::vector<int> before = RowsBefore(trial.motion);
   const auto rows = static_cast<Index>(poses.size());
   const bool differences = s.kind == Kind::kAdjacent && !s.shared_pose;
@@ -68,19 +69,20 @@ Eigen::MatrixXd RandomReadings(const RandomTrial& trial) {
   Eigen::MatrixXd readings(rows, s.kind == Kind::kPose ? 7 : s.kind == Kind::kDistance ? 1 : 3);
   for (Index row = 0; row < rows; ++row) {
     const auto i = static_cast<std::size_t>(row);
-    const Vector3d p = poses[i].translation();
     const double outlier = DrawOutlier(s, &rng);
     const Vector3d off = outlier * DrawDirection(&rng);
     if (s.kind == Kind::kDistance) {
       const double wrong = off.x() > 0 ? outlier : -outlier;
-      readings(row, 0) = ReadDistance(trial, i, p, s.noise * (errors(row, 0) + wrong));
+      readings(row, 0) = DistanceRead(trial, i, poses[i].translation(), physics.instrument) +
+                         s.noise * (errors(row, 0) + wrong);
       continue;
     }
     const Vector3d error = s.noise * (errors.row(row).head<3>().transpose() + off);
+    const Vector3d p = position_read(i);
     Vector3d from = Vector3d::Zero();
     if (differences) {
       from = before[i] < 0 ? Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())
-                           : Vector3d(poses[static_cast<std::size_t>(before[i])].translation());
+                           : position_read(static_cast<std::size_t>(before[i]));
     }
     readings.row(row).head<3>() = (p - from + error).transpose();
     if (s.kind != Kind::kPose) continue;

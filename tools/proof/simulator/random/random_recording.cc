@@ -46,6 +46,7 @@ void Header(const RandomTrial& trial, CsvText* csv) {
   for (Index j = 0; HasSpeeds(trial) && j < n; ++j) {
     csv->Label(fmt::format("qd{}_{}", j + 1, Slides(trial, j) ? "mm_s" : "deg_s"));
   }
+  for (const RecordedColumn& column : trial.columns) csv->Label(column.name);
   if (s.test_rows) csv->Label("set");
   csv->EndRow();
 }
@@ -97,6 +98,9 @@ std::string RandomRecordingCsv(const RandomTrial& trial) {
     }
     for (Index j = 0; HasSpeeds(trial) && j < motion.speed.cols(); ++j) {
       csv.Number(motion.speed(row, j) / (Slides(trial, j) ? kMillimetre : kDegree));
+    }
+    for (const RecordedColumn& column : trial.columns) {
+      csv.Label(fmt::format("{:.{}f}", column.read[row], column.decimals));
     }
     if (s.test_rows) csv.Label(motion.test[i] ? "test" : "train");
     csv.EndRow();

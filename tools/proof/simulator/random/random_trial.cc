@@ -7,6 +7,7 @@
 #include "tools/proof/simulator/random/draw_causes.h"
 #include "tools/proof/simulator/random/oracle.h"
 #include "tools/proof/simulator/random/poses.h"
+#include "tools/proof/simulator/random/recorded_columns.h"
 #include "tools/proof/simulator/screw.h"
 
 namespace dhcal::concealed {
@@ -96,6 +97,7 @@ RandomTrial MakeRandomTrial(int seed) {
   trial.motion = DrawMotion(trial.settings, trial.drawing, &rng);
   PlaceAnchors(&trial, &rng);
   SetUpAnew(&trial, &rng);
+  trial.columns = DrawColumns(trial, &rng);
   DrawCauses(&trial, &rng);
   WeighCauses(&trial);
   return trial;

@@ -18,6 +18,14 @@
 
 namespace dhcal::concealed {
 
+/// A quantity that somebody recorded beside the readings, and that the program does not know.
+struct RecordedColumn {
+  std::string name;
+  Eigen::VectorXd course;  // of zero mean and unit deviation, as the arm may feel it
+  Eigen::VectorXd read;    // as it stands in the file, in a unit of its own
+  int decimals = 3;        // of these
+};
+
 struct RandomTrial {
   std::uint64_t seed = 1;
   Settings settings;
@@ -28,6 +36,7 @@ struct RandomTrial {
   std::vector<Eigen::Vector3d> anchors;  // [m] in the measurement frame, for distances
   std::vector<int> anchor;               // of each row, from 0
   std::vector<Move> setups;              // of runs, where the file states them
+  std::vector<RecordedColumn> columns;   // some drive nothing
   std::vector<Cause> causes;
   std::vector<std::string> geometry;  // names of geometry that is off and that the file holds fixed
 };

@@ -1,5 +1,8 @@
 // Causes that depend on the clock, the row or the run.
+#include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "tools/proof/simulator/causes.h"
 #include "tools/proof/simulator/random/cause_sources.h"
@@ -21,6 +24,20 @@ int RowOfStep(const Subject& of, Rng* rng, double* time) {
 void SayWhatStepsAreSame(const Subject& of, Cause* cause) {
   if (cause->joint == 1) cause->same.emplace_back("base_step", 0);
   if (cause->joint == of.num_joints()) cause->same.emplace_back("tool_step", 0);
+}
+
+/// A joint, the base, the tool or the length of a row, in words.
+std::string RandomSlot(const Subject& of, Rng* rng) {
+  switch (DrawIndex({0.5, 0.2, 0.15, 0.15}, rng)) {
+    case 0:
+      return fmt::format("theta{}", DrawFrom(of.turning, rng));
+    case 1:
+      return fmt::format("base_{}", "xyz"[DrawInt(3, rng)]);
+    case 2:
+      return fmt::format("tool_{}", "xz"[DrawInt(2, rng)]);
+    default:
+      return fmt::format("a{}", 2 + DrawInt(of.num_joints() - 2, rng));
+  }
 }
 
 Move RandomMove(double shift, double turn, Rng* rng) {
@@ -53,6 +70,12 @@ std::vector<CauseSource> SourcesInTime(const Subject& subject) {
          const double lag = of.duration() * rng->Uniform(0.1, 0.5);
          return Causes{Chance(0.5, rng) ? FirstLinkGrows(strength * 1e-4, lag)
                                         : SecondLinkGrows(strength * 1e-4, lag)};
+       }},
+      {2,
+       warms,
+       [](const Subject& of, double strength, Rng* rng) {
+         const double lag = of.duration() * rng->Uniform(0.08, 0.6);
+         return Causes{InstrumentGrows(DrawSign(rng) * strength * 2e-5, lag)};
        }},
       {1,
        true,
@@ -88,6 +111,13 @@ std::vector<CauseSource> SourcesInTime(const Subject& subject) {
        s.order == Order::kRandom && s.repeats == 1,
        [](const Subject& /*of*/, double strength, Rng* /*rng*/) {
          return Causes{NotSettled(strength * 0.5e-4)};
+       }},
+      {4,
+       !subject.trial.columns.empty(),
+       [](const Subject& of, double strength, Rng* rng) {
+         const RecordedColumn& column = DrawFrom(of.trial.columns, rng);
+         const double amount = DrawSign(rng) * strength * 1e-4;
+         return Causes{Follows(column.name, RandomSlot(of, rng), column.course, amount)};
        }},
       {3, s.kind == Kind::kDistance, [](const Subject& of, double strength, Rng* /*rng*/) {
          return Causes{ReadsLong(strength * 1e-4, static_cast<int>(of.trial.anchors.size()))};

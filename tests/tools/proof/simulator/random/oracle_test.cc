@@ -141,11 +141,24 @@ TEST(Observing, DistancesSeeWhatLiesAlongTheLine) {
   auto moved = poses;
   const Vector3d shift(1e-6, -2e-6, 3e-6);
   for (Eigen::Isometry3d& pose : moved) pose.translation() += shift;
-  const Eigen::VectorXd change = Observe(trial, moved, poses, 0) - Observe(trial, poses, poses, 0);
+  const Eigen::VectorXd change =
+      Observe(trial, moved, poses, {}) - Observe(trial, poses, poses, {});
   for (std::size_t k = 0; k < 30; ++k) {
     const Vector3d line = (poses[k].translation() - trial.anchors[k % 3]).normalized();
     EXPECT_NEAR(change[static_cast<Eigen::Index>(k)], line.dot(shift), 1e-11);
   }
+}
+
+TEST(Observing, AnInstrumentThatGrowsReadsAllLengthsLonger) {
+  const Instrument grown{0, 1e-4, 1};  // long before the second row
+  RandomTrial trial = MeshTrial();
+  const auto poses = TruePoses(trial.built, StatedPhysics(trial), trial.motion);
+  const Eigen::VectorXd positions = Observe(trial, poses, poses, grown);
+  EXPECT_NEAR(positions[0], poses[0].translation().x(), 1e-15) << "it is cold at first";
+  EXPECT_NEAR(positions[3 * 7 + 2], (1 + 1e-4) * poses[7].translation().z(), 1e-12);
+  trial.settings.kind = Kind::kDistance;
+  const double distance = (poses[7].translation() - trial.anchors[7 % 3]).norm();
+  EXPECT_NEAR(Observe(trial, poses, poses, grown)[7], (1 + 1e-4) * distance, 1e-12);
 }
 
 TEST(Observing, PosesSeeRotationsAndDifferencesTheRowBefore) {
@@ -154,12 +167,12 @@ TEST(Observing, PosesSeeRotationsAndDifferencesTheRowBefore) {
   auto turned = poses;
   turned[3].linear() =
       Displacement(Vector3d(1e-4, 0, -2e-4), Vector3d::Zero()).linear() * poses[3].linear();
-  const Eigen::VectorXd seen = Observe(trial, turned, poses, 0);
+  const Eigen::VectorXd seen = Observe(trial, turned, poses, {});
   EXPECT_NEAR(seen[3 * 6 + 3], 1e-4, 1e-10);
   EXPECT_NEAR(seen[3 * 6 + 5], -2e-4, 1e-10);
   RandomTrial adjacent = MeshTrial(Kind::kAdjacent);
   adjacent.settings.shared_pose = false;
-  const Eigen::VectorXd differences = Observe(adjacent, poses, poses, 0);
+  const Eigen::VectorXd differences = Observe(adjacent, poses, poses, {});
   EXPECT_EQ(differences[0], 0) << "the first row has none before";
   EXPECT_NEAR(differences[5], poses[1].translation().z() - poses[0].translation().z(), 1e-15);
 }
