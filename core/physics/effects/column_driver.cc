@@ -234,7 +234,8 @@ class ColumnDriverEffect final : public Effect {
     return {"column", Location(c, request.word("slot")), "column " + request.word("column")};
   }
 
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& /*context*/,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     const EffectValue rate = Find(values, request.word("slot"));
     const std::string unit = rate.unit.substr(0, rate.unit.find(' '));

@@ -58,7 +58,8 @@ class InstrumentDriftEffect final : public Effect {
   EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {
     return {"C5", "sensor", DriftByTime(c, request) ? "time" : "temperature"};
   }
-  std::string Sentence(const EffectRequest& request,
+  std::string Sentence(const PhysicsContext& /*context*/,
+                       const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     const bool clock = request.settings.count("time_constant_s") > 0;
     return fmt::format("the instrument's scale drifts{}: its readings grow by {}",

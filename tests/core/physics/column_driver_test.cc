@@ -157,8 +157,11 @@ TEST(ColumnDriver, SaysWhatIsMissing) {
 }
 
 TEST(ColumnDriver, SaysItsRateInAUnitThatFits) {
-  const auto sentence = [](const std::string& slot, const EffectValue& value) {
-    return TheEffect().Sentence(Of("motor_temp", slot), {value});
+  const RobotModel robot = WorkedExampleRobot();
+  const Recording recording = WorkedExampleRecording();
+  const PhysicsContext context(robot, recording, {robot.X_WB});
+  const auto sentence = [&](const std::string& slot, const EffectValue& value) {
+    return TheEffect().Sentence(context, Of("motor_temp", slot), {value});
   };
   EXPECT_EQ(sentence("theta3", {"theta3", "rad per unit", 1.23e-5, 4e-7}),
             "theta3 follows the column 'motor_temp': 0.01230 +- 0.00040 mrad per unit of it");

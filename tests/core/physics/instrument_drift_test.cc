@@ -80,8 +80,12 @@ TEST(InstrumentDrift, NeedsTheAnchorsOfDistances) {
 }
 
 TEST(InstrumentDrift, SaysItsSizeInPartsPerMillion) {
+  const RobotModel robot = WorkedExampleRobot();
+  const Recording recording = WorkedExampleRecording();
+  const PhysicsContext context(robot, recording, {robot.X_WB});
   const std::string sentence =
-      FindEffect("instrument_drift")->Sentence(BySteadyClock(), {{"scale", "1", 42e-6, 1.5e-6}});
+      FindEffect("instrument_drift")
+          ->Sentence(context, BySteadyClock(), {{"scale", "1", 42e-6, 1.5e-6}});
   EXPECT_EQ(sentence,
             "the instrument's scale drifts steadily over the recording: its readings grow by 42.0 "
             "+- 1.5 ppm");
