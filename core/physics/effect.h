@@ -54,6 +54,9 @@ struct EffectDescription {
   /// A free curve of the joint's angle: no candidate of its own, offered where a search finds more
   /// lines at a joint than few gears have.
   bool is_curve = false;
+  /// Nobody knows whether what drives it is a cause: beside a rest, which has a cause of its own
+  /// that may go along with the driver, it has no name.
+  bool needs_whole_model = false;
 };
 
 /// Where an effect sits, what drives it, and which others it is easily taken for.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/physics/registry.h"
 #include "problems/diagnosis/complete_fit.h"
@@ -47,6 +48,7 @@ MatrixXd DirectionsOf(const ProblemSpec& spec, const Recording& recording) {
 
 // What stated masses leave, of what fitted ones do, before the fitted ones are delivered.
 constexpr double kClearlyMore = 1.02;
+constexpr double kUnmistakable = 1.5;  // times the error of unseen rows without it
 
 /// Readings that are one draw together: several targets of one pose, or repeats that were too few
 /// to be put together. Coordinates of one point (distances to anchors) are not.
@@ -242,12 +244,24 @@ void DescribeMisfit(const JointRows& before,
   misfit.outliers = static_cast<int>(misfit.outlier_rows.size());
 }
 
-}  // namespace
+bool NeedsWholeModel(const EffectRequest& request) {
+  const Effect* const effect = FindEffect(request.effect);
+  return effect != nullptr && effect->Describe().needs_whole_model;
+}
 
-DiagnosisResult Diagnose(const ProblemSpec& spec,
-                         const Recording& recorded,
-                         const Result& identified,
-                         const Progress& progress) {
+/// All names but those that need a whole model.
+std::vector<std::string> NamesOfParts() {
+  std::vector<std::string> names;
+  for (const Effect* const effect : AllEffects()) {
+    if (!effect->Describe().needs_whole_model) names.push_back(effect->Describe().name);
+  }
+  return names;
+}
+
+DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
+                             const Recording& recorded,
+                             const Result& identified,
+                             const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const auto say = [&](const std::string& text, double share) {
     if (progress) progress({"left-out physics: " + text, share});
@@ -348,6 +362,31 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   AddHiddenRisks(model, searched, outcome.rule, last.rest, &d);
   d.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return d;
+}
+
+}  // namespace
+
+DiagnosisResult Diagnose(const ProblemSpec& spec,
+                         const Recording& recorded,
+                         const Result& identified,
+                         const Progress& progress) {
+  DiagnosisResult all = DiagnoseWith(spec, recorded, identified, progress);
+  std::vector<std::string> doubtful;
+  for (const Finding& finding : all.findings) {
+    if (NeedsWholeModel(finding.effect)) doubtful.push_back(InstanceName(finding.effect));
+  }
+  // Who lists names asks for these.
+  if (doubtful.empty() || !all.unexplained || !spec.diagnosis.effects.empty()) return all;
+  ProblemSpec of_parts = spec;
+  of_parts.diagnosis.effects = NamesOfParts();
+  DiagnosisResult parts = DiagnoseWith(of_parts, recorded, identified, progress);
+  if (parts.rms_test_after > kUnmistakable * all.rms_test_after) return all;
+  parts.seconds += all.seconds;
+  parts.notes.push_back(fmt::format(
+      "Not named, because something else is left that may go along with it, and because it does "
+      "little for rows that were not fitted: {}.",
+      fmt::join(doubtful, ", ")));
+  return parts;
 }
 
 }  // namespace dhcal

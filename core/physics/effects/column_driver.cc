@@ -190,6 +190,7 @@ class ColumnDriverEffect final : public Effect {
                         "a numeric column that stands for nothing else",
                         "0.1 mrad or 0.1 mm over the column's course [PHYSICS.md U1]"};
     d.has_joint = false;
+    d.needs_whole_model = true;
     return d;
   }
 

@@ -45,7 +45,7 @@ DiagnosisResult DiagnosisOf(const Vector3d& away, const std::vector<Cause>& caus
   return Diagnosed(*read.spec, *read.recording);
 }
 
-std::vector<std::string> NamesOf(const DiagnosisResult& d) {
+std::vector<std::string> FindingsOf(const DiagnosisResult& d) {
   std::vector<std::string> names;
   for (const Finding& finding : d.findings) names.push_back(finding.effect.effect);
   return names;
@@ -63,7 +63,7 @@ TEST(InstrumentDriftFound, BesideTheRobotByNameAndSize) {
   if (kSanitized) GTEST_SKIP() << "too slow with sanitizers; the other tests run the same code";
   const DiagnosisResult d =
       DiagnosisOf(Vector3d(1, 0.5, -0.5), {concealed::InstrumentGrows(2e-4, kLag)});
-  ASSERT_THAT(NamesOf(d), testing::ElementsAre("instrument_drift")) << d.summary;
+  ASSERT_THAT(FindingsOf(d), testing::ElementsAre("instrument_drift")) << d.summary;
   const Finding& finding = d.findings[0];
   EXPECT_EQ(finding.location, "sensor");
   EXPECT_EQ(finding.effect_class, "C5");
@@ -77,21 +77,21 @@ TEST(InstrumentDriftFound, AGrowingLinkIsNoInstrument) {
   if (kSanitized) GTEST_SKIP() << "too slow with sanitizers; the other tests run the same code";
   const DiagnosisResult d =
       DiagnosisOf(Vector3d(1, 0.5, -0.5), {concealed::SecondLinkGrows(4e-4, kLag)});
-  EXPECT_THAT(NamesOf(d), testing::ElementsAre("link_thermal")) << d.summary;
+  EXPECT_THAT(FindingsOf(d), testing::ElementsAre("link_thermal")) << d.summary;
 }
 
 TEST(InstrumentDriftFound, ABaseThatMovesAcrossTheLineOfSightIsNoInstrument) {
   if (kSanitized) GTEST_SKIP() << "too slow with sanitizers; the other tests run the same code";
   const DiagnosisResult d =
       DiagnosisOf(Vector3d(4, 0, 0), {concealed::BaseDrifts(Vector3d(0, 3e-4, 0), kLag)});
-  EXPECT_THAT(NamesOf(d), testing::ElementsAre("base_drift")) << d.summary;
+  EXPECT_THAT(FindingsOf(d), testing::ElementsAre("base_drift")) << d.summary;
 }
 
 TEST(InstrumentDriftFound, FromAfarAndWeakItIsListedWithABaseThatMoves) {
   if (kSanitized) GTEST_SKIP() << "too slow with sanitizers; the other tests run the same code";
   const auto listed = [](const Cause& cause) {
     const DiagnosisResult d = DiagnosisOf(Vector3d(15, 0, 0), {cause});
-    std::vector<std::string> names = NamesOf(d);
+    std::vector<std::string> names = FindingsOf(d);
     EXPECT_THAT(names, testing::SizeIs(1)) << d.summary;
     for (const std::string& other : AlternativesOf(d)) names.push_back(other);
     return names;
