@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "core/analysis/ceres_covariance.h"
 #include "core/analysis/null_space.h"
@@ -17,11 +20,27 @@
 namespace dhcal {
 namespace {
 
+/// What a parameter that ran away says of the run.
+std::string RunawayWords(const Calibration& c, const SolverSummary& summary) {
+  const Parameter& p = c.parameters[static_cast<std::size_t>(summary.beyond_limit)];
+  const bool noise_rule = c.spec.solver.rule == TruncationRule::kNoise &&
+                          c.spec.solver.method != SolverMethod::kLevenbergMarquardt;
+  return fmt::format(
+      "Diverged: {} would have to change by {:.3g} {}, which no calibration error is. {}",
+      p.name,
+      summary.state[summary.beyond_limit],
+      p.unit == Unit::kRadian ? "rad" : "m",
+      noise_rule ? "The nominal robot is probably not the one that was recorded."
+                 : "Either directions were followed that only the noise determines "
+                   "(singular_value_tolerance: noise leaves them out), or the nominal robot is not "
+                   "the one that was recorded.");
+}
+
 void DescribeSolve(const Calibration& c, const Fit& fit, FitResult* result) {
   const SolverSummary& summary = fit.summary;
   result->solver = fit.method;
   result->termination = summary.termination;
-  result->message = summary.message;
+  result->message = summary.beyond_limit < 0 ? summary.message : RunawayWords(c, summary);
   result->usable = summary.IsSolutionUsable();
   result->converged = summary.Converged();
   result->seconds = summary.seconds;

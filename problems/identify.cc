@@ -59,6 +59,7 @@ void AddNotes(const Calibration& c, const std::vector<Fit>& fits, Result* result
         "joints' order, signs and units, the DH convention and the nominal lengths.",
         result->base_and_tool_only->rms / kMillimetre));
   }
+  if (result->best() == nullptr) return;
   // Fixed scale: no reading of a length standard is in such data.
   result->notes.push_back(
       "A common scale error of all lengths (instrument, ruler or temperature) cannot be told from "

@@ -53,18 +53,27 @@ double InSpace(const MeasurementKind& kind, double rms_coordinate) {
 
 std::string ErrorName(const MeasurementKind& kind) { return kind.is_point() ? "RMS, 3-D" : "RMS"; }
 
+double ErrorBefore(const Result& result) {
+  const Baseline& before = Before(result);
+  return Told(result.kind, before.rms, before.rms_point);
+}
+
+double ErrorAfter(const Result& result) {
+  const FitResult& fit = *result.delivered_fit();
+  return Told(result.kind, fit.rms, fit.rms_point);
+}
+
 std::string Headline(const Result& result) {
   const MeasurementKind& kind = result.kind;
   const FitResult& fit = *result.delivered_fit();
   const ValidationResult& unseen = DeliveredValidation(result);
-  const Baseline& before = Before(result);
   std::string text = fmt::format(
       "Error of the predicted {} ({}): {} with the {}, {} with calibrated.yaml",
       kind.noun,
       ErrorName(kind),
-      WithMillimetres(Told(kind, before.rms, before.rms_point)),
+      WithMillimetres(ErrorBefore(result)),
       result.base_and_tool_only ? "nominal robot (base and tool fitted)" : WordsBefore(result),
-      WithMillimetres(Told(kind, fit.rms, fit.rms_point)));
+      WithMillimetres(ErrorAfter(result)));
   if (!std::isnan(unseen.rms_test)) {
     text += fmt::format(", {} on rows that were not fitted",
                         WithMillimetres(Told(kind, unseen.rms_test, unseen.rms_point_test)));

@@ -20,6 +20,11 @@ double InSpace(const MeasurementKind& kind, double rms_coordinate);
 /// "RMS, 3-D" or, where a reading is no point, "RMS".
 std::string ErrorName(const MeasurementKind& kind);
 
+/// RMS with the nominal robot (base and tool fitted, where they are free), and with the delivered
+/// model [m]; in 3-D where there is one.
+double ErrorBefore(const Result& result);
+double ErrorAfter(const Result& result);
+
 /// The answer in a sentence: the error with the nominal robot, after calibration, and on rows that
 /// were not fitted. The result has a usable fit.
 std::string Headline(const Result& result);

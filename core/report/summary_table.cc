@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/report/error_table.h"
 #include "core/report/format.h"
 
 namespace dhcal {
@@ -36,9 +37,9 @@ std::vector<std::string> Cells(const SummaryRow& row) {
           fit != nullptr && fit->rank >= 0 ? fmt::format("{}/{}", fit->rank, fit->columns) : "-",
           fit != nullptr ? ShortName(fit->solver) : "-",
           Count(fit != nullptr ? fit->iterations : -1),
-          Length(row.result->nominal.rms),
-          Length(usable ? fit->rms : kNotSet),
-          Length(row.result->noise_sigma),
+          Length(ErrorBefore(*row.result)),
+          Length(usable ? ErrorAfter(*row.result) : kNotSet),
+          Length(InSpace(row.result->kind, row.result->noise_sigma)),
           row.status};
 }
 

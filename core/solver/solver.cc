@@ -29,12 +29,12 @@ void CheckForDivergence(const UnknownScales& scales, SolverSummary* summary) {
   const int beyond = FirstBeyondLimit(summary->state, scales.limit);
   if (beyond >= 0) {
     summary->termination = Termination::kDiverged;
-    summary->message = fmt::format(
-        "Diverged: a correction reached {:.3g} (rad or m), where more than {:g} cannot be a "
-        "calibration error. Either directions were kept that only the noise determines, or the "
-        "nominal robot is not the one that was recorded.",
-        summary->state[beyond],
-        scales.limit[beyond]);
+    summary->beyond_limit = beyond;
+    summary->message =
+        fmt::format("Diverged: unknown {} reached {:.3g} (rad or m), beyond its limit of {:g}.",
+                    beyond,
+                    summary->state[beyond],
+                    scales.limit[beyond]);
   } else if (!(summary->final_cost <= kHigherCost * summary->initial_cost + 1e-9)) {
     summary->termination = Termination::kDiverged;
     summary->message = fmt::format("Diverged: the cost rose from {:.6g} to {:.6g}.",

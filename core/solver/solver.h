@@ -37,6 +37,8 @@ struct SolverOptions {
 
 struct SolverSummary {
   Termination termination = Termination::kNotRun;
+  /// Index of a correction that passed its limit; -1 = none did.
+  int beyond_limit = -1;
   std::string message = "The solver was not called.";
   Eigen::VectorXd state;  // corrections to the start
   double initial_cost = kNotSet;

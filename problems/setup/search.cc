@@ -22,8 +22,9 @@ constexpr double kAsGood = 1.15;           // times the misfit: what a cause les
 constexpr double kNearlyAsGood = 2;        // times the best misfit: what is kept
 constexpr std::size_t kMostKept = 12;
 constexpr int kFewestReadings = 8;
-constexpr double kZeroStep = 15 * kDegree;  // of the scan for a zero
-constexpr double kZeroFinest = 0.01 * kDegree;
+constexpr int kZeroSteps = 24;  // of a turn, in the scan for a zero
+constexpr double kZeroStep = 2 * kPi / kZeroSteps;
+constexpr int kZeroHalvings = 10;  // of a step: to 0.015 deg
 
 /// Evenly over `readings`, those whose row may be shifted within its run.
 std::vector<Reading> Few(const Recording& recording, const std::vector<Reading>& readings) {
@@ -174,7 +175,9 @@ void SetUpSearch::RefineZero(int joint_idx, Candidate* candidate) const {
     return true;
   };
   // Ever smaller steps downhill: the misfit is smooth around its least.
-  for (double step = kZeroStep / 2; step > kZeroFinest; step /= 2) {
+  double step = kZeroStep;
+  for (int k = 0; k < kZeroHalvings; ++k) {
+    step /= 2;
     if (!moved(step)) moved(-step);
   }
 }
@@ -186,9 +189,10 @@ std::vector<Candidate> SetUpSearch::Remastered() const {
   for (const SetUp& start : starts) {
     for (int j = 0; j < files_.num_joints(); ++j) {
       if (!files_.revolute(j)) continue;
-      for (double angle = kZeroStep - kPi; angle <= kPi; angle += kZeroStep) {
+      for (int k = 1; k < kZeroSteps; ++k) {
         turned.push_back(start);
-        turned.back().joints[static_cast<std::size_t>(j)].offset = angle;
+        turned.back().joints[static_cast<std::size_t>(j)].offset =
+            std::remainder(k * kZeroStep, 2 * kPi);
       }
     }
   }

@@ -214,7 +214,7 @@ int RunBatch(const CommandLine& command_line) {
     for (const Outcome& outcome : outcomes) {
       rows.push_back({outcome.problem, outcome.status, &outcome.result});
     }
-    std::cout << ToText(SummaryTable(rows));
+    std::cout << "\n" << ToText(SummaryTable(rows));
   }
   return exit_status;
 }
