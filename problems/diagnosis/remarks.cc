@@ -15,7 +15,7 @@ namespace dhcal {
 namespace {
 
 constexpr double kContradicts = 1.5;  // times: no sigma is stated better
-constexpr double kNoChance = 1e-3;
+constexpr double kImprobable = 1e-3;
 constexpr double kDistinct = 0.8;  // part of the rows: fewer poses are repeated ones
 constexpr double kShared = 1.2;    // what so many poses' sums exceed by no chance
 constexpr double kCoarse = 0.5;    // of the noise: rounding that can be seen
@@ -26,7 +26,7 @@ double WidenedByNoise(const Result& result) {
   const FitResult* const fit = result.delivered_fit();
   const bool consistent =
       result.diagnosis && result.diagnosis->verdict == DiagnosisVerdict::kConsistent;
-  if (fit == nullptr || !consistent || !(fit->chi2_p < kNoChance)) return 1;
+  if (fit == nullptr || !consistent || !(fit->chi2_p < kImprobable)) return 1;
   const double ratio = std::sqrt(fit->chi2_reduced);
   return ratio > kContradicts ? ratio : 1;
 }
@@ -71,7 +71,7 @@ void RemarkOnSigma(const Result& result,
   const double shown = ratio * result.noise_sigma / kMillimetre;
   const double stated = result.noise_sigma / kMillimetre;
   if (result.noise_free) return;  // a simulation, whose stated noise is that of another one
-  if (ratio * kContradicts < 1 && fit->chi2_p > 1 - kNoChance) {
+  if (ratio * kContradicts < 1 && fit->chi2_p > 1 - kImprobable) {
     remarks->push_back(fmt::format(
         "The residuals are {} times smaller than the stated noise of {:.3g} mm (reduced "
         "chi-square {:.2g}, which no chance gives). They show {:.3g} mm: with that as "
