@@ -25,6 +25,11 @@ std::string_view Trim(std::string_view text);
 bool StartsWith(std::string_view text, std::string_view prefix);
 bool EndsWith(std::string_view text, std::string_view suffix);
 
+/// ASCII letters only, whatever the locale: the rest stays.
+std::string InLowerCase(std::string_view text);
+/// The first letter of a sentence: "joint 2 is ..." -> "Joint 2 is ...".
+std::string Capitalised(std::string text);
+
 /// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`; upper and
 /// lower case count as equal.
 int EditDistance(std::string_view a, std::string_view b);

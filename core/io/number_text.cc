@@ -151,9 +151,7 @@ bool IsBlankWord(std::string_view text) {
       "#zahl!", "#num!",        "#name?",       "null",        "none",    "-",
       "--",     "\xE2\x80\x93", "\xE2\x80\x94", "\xE2\x88\x92"};
   if (text.empty() || text.size() > kLongest) return false;
-  std::string lower(text);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return std::find(kWords.begin(), kWords.end(), lower) != kWords.end();
+  return std::find(kWords.begin(), kWords.end(), InLowerCase(text)) != kWords.end();
 }
 
 }  // namespace dhcal

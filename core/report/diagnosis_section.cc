@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/model/robot.h"
 #include "core/physics/effect.h"

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/base/text.h"
 #include "core/physics/effect.h"
 #include "core/report/error_table.h"
 #include "core/report/format.h"
@@ -69,7 +70,7 @@ Section FindingsSection(const Result& result) {
   return section;
 }
 
-/// "17 (10.0 mm off), 43 (all zero)".
+/// "17 (10.00 mm off), 43"; what is odd about them is in the report.
 std::string SetAsideText(const Result& result) {
   std::vector<std::string> rows;
   for (const RowSetAside& row : result.rows_set_aside) {
@@ -169,9 +170,8 @@ Section EndSection(const Result& result, const std::string& folder) {
 
 }  // namespace
 
-Document FirstScreenOf(const ProblemSpec& spec, const Result& result, const std::string& folder) {
-  Document document = ReportOf(spec, result);  // for its head
-  document.sections.clear();
+Document FirstScreenOf(const Result& result, const std::string& folder) {
+  Document document = EmptyReport(result);
   const auto add = [&](Section section) {
     if (!section.empty()) document.sections.push_back(std::move(section));
   };

@@ -4,14 +4,13 @@
 
 #include <string>
 
-#include "core/model/problem_spec.h"
 #include "core/model/result.h"
 #include "core/report/document.h"
 
 namespace dhcal {
 
 /// `folder`: where the result was written; empty where it could not be.
-Document FirstScreenOf(const ProblemSpec& spec, const Result& result, const std::string& folder);
+Document FirstScreenOf(const Result& result, const std::string& folder);
 
 }  // namespace dhcal
 

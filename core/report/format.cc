@@ -1,7 +1,6 @@
 #include "core/report/format.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <vector>
 
@@ -64,11 +63,6 @@ int DecimalsOf(double sigma, int otherwise) {
 
 std::string AndMore(std::size_t count) {
   return fmt::format("... and {} more in result.json", count);
-}
-
-std::string Capitalised(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
 }
 
 std::string Counted(int count, const std::string& singular) {

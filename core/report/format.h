@@ -28,9 +28,6 @@ int DecimalsOf(double sigma, int otherwise);
 /// "... and 12 more in result.json".
 std::string AndMore(std::size_t count);
 
-/// Begins a sentence: "joint 2 is ..." -> "Joint 2 is ...".
-std::string Capitalised(std::string text);
-
 /// "1 row", "2 rows".
 std::string Counted(int count, const std::string& singular);
 

@@ -42,11 +42,16 @@ std::vector<Section> Sections(const ProblemSpec& spec, const Result& result) {
 
 }  // namespace
 
-Document ReportOf(const ProblemSpec& spec, const Result& result) {
+Document EmptyReport(const Result& result) {
   Document document;
   document.title = "Kinematic calibration: " + result.problem;
   document.program = "ceres_dhcal";
   if (!result.program_version.empty()) document.program += " " + result.program_version;
+  return document;
+}
+
+Document ReportOf(const ProblemSpec& spec, const Result& result) {
+  Document document = EmptyReport(result);
   for (Section& section : Sections(spec, result)) {
     if (!section.empty()) document.sections.push_back(std::move(section));
   }

@@ -14,6 +14,9 @@ namespace dhcal {
 /// What was asked, what was found, what can be trusted, what cannot and why.
 Document ReportOf(const ProblemSpec& spec, const Result& result);
 
+/// A document without sections, of the same title.
+Document EmptyReport(const Result& result);
+
 /// A file of the result folder that holds the report.
 struct ReportFormat {
   const char* file;  // "report.txt"

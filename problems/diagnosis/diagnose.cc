@@ -48,7 +48,6 @@ MatrixXd DirectionsOf(const ProblemSpec& spec, const Recording& recording) {
 
 // What stated masses leave, of what fitted ones do, before the fitted ones are delivered.
 constexpr double kClearlyMore = 1.02;
-constexpr double kUnmistakable = 1.5;  // times the error of unseen rows without it
 
 /// Readings that are one draw together: several targets of one pose, or repeats that were too few
 /// to be put together. Coordinates of one point (distances to anchors) are not.
@@ -380,7 +379,7 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   ProblemSpec of_parts = spec;
   of_parts.diagnosis.effects = NamesOfParts();
   DiagnosisResult parts = DiagnoseWith(of_parts, recorded, identified, progress);
-  if (parts.rms_test_after > kUnmistakable * all.rms_test_after) return all;
+  if (parts.rms_test_after > kTuning.unmistakable * all.rms_test_after) return all;
   parts.seconds += all.seconds;
   parts.notes.push_back(fmt::format(
       "Not named, because something else is left that may go along with it, and because it does "

@@ -58,7 +58,11 @@ struct Tuning {
   double restless = 6.25;
   double predictive_bound = 25;  // squares of one unseen reading that count in full
   double unseen_errors = 2;      // standard errors by which unseen rows must speak against a name
-  double least_certain = 2;      // standard deviations that a finding's value is from zero
+  // Times the error of unseen rows without it: a driver that nobody knows keeps its name beside a
+  // rest only if it is worth as much. Columns of real tracker data go along with the rest and are
+  // worth little.
+  double unmistakable = 1.5;
+  double least_certain = 2;  // standard deviations that a finding's value is from zero
 };
 
 inline constexpr Tuning kTuning;

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "problems/setup/length_units.h"
 #include "problems/setup/orientations.h"
@@ -60,11 +61,6 @@ Verified Verify(const Files& files, const SetUp& set_up) {
           FitFrames(cured.spec, cured.recording).rms,
           WeightOf(set_up),
           ReachOf(cured.spec.robot)};
-}
-
-std::string Capitalised(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] += 'A' - 'a';
-  return text;
 }
 
 /// The causes of one alternative, with the evidence behind each.

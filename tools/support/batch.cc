@@ -138,8 +138,7 @@ void KeepGeometry(const Job& job, const Result& geometry, ProgressPrinter* print
 
 /// The first screen, or the whole report.
 void Print(bool verbose, const Job& job, const Result& result, const std::string& folder) {
-  std::cout << ToText(verbose ? ReportOf(job.spec, result)
-                              : FirstScreenOf(job.spec, result, folder))
+  std::cout << ToText(verbose ? ReportOf(job.spec, result) : FirstScreenOf(result, folder))
             << std::flush;
   if (verbose && !folder.empty()) std::cout << "Results are in " << folder << "/\n" << std::flush;
 }

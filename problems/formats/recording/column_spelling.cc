@@ -74,12 +74,6 @@ std::string UnitOf(std::string_view text) {
   return found == UnitWords().end() ? "" : found->second;
 }
 
-std::string InLowerCase(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return lower;
-}
-
 /// Letters of other alphabets, and the degree sign, are parts of words.
 bool IsWordByte(char c) {
   const auto byte = static_cast<unsigned char>(c);

@@ -16,9 +16,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string Screen(const Result& result) {
-  return ToText(FirstScreenOf(ExampleSpec(), result, "out"));
-}
+std::string Screen(const Result& result) { return ToText(FirstScreenOf(result, "out")); }
 
 /// The example with ten findings.
 Result WithFindings(DiagnosisVerdict verdict) {
