@@ -21,10 +21,11 @@ namespace dhcal {
 namespace {
 
 /// What a parameter that ran away says of the run.
-std::string RunawayWords(const Calibration& c, const SolverSummary& summary) {
+std::string RunawayWords(const Calibration& c, const Fit& fit) {
+  const SolverSummary& summary = fit.summary;
   const Parameter& p = c.parameters[static_cast<std::size_t>(summary.beyond_limit)];
   const bool noise_rule = c.spec.solver.rule == TruncationRule::kNoise &&
-                          c.spec.solver.method != SolverMethod::kLevenbergMarquardt;
+                          fit.method != SolverMethod::kLevenbergMarquardt;
   return fmt::format(
       "Diverged: {} would have to change by {:.3g} {}, which no calibration error is. {}",
       p.name,
@@ -40,7 +41,7 @@ void DescribeSolve(const Calibration& c, const Fit& fit, FitResult* result) {
   const SolverSummary& summary = fit.summary;
   result->solver = fit.method;
   result->termination = summary.termination;
-  result->message = summary.beyond_limit < 0 ? summary.message : RunawayWords(c, summary);
+  result->message = summary.beyond_limit < 0 ? summary.message : RunawayWords(c, fit);
   result->usable = summary.IsSolutionUsable();
   result->converged = summary.Converged();
   result->seconds = summary.seconds;

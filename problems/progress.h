@@ -11,7 +11,8 @@ namespace dhcal {
 struct ProgressStep {
   std::string text;  // what begins now
   /// Part of the whole run that lies behind it, 0 to 1, from runs that were timed; NaN where that
-  /// is not known. A run that needs fewer rounds than it may jumps ahead.
+  /// is not known. A run that needs fewer rounds than it may jumps ahead, one that must be made
+  /// once more falls back.
   double share = std::numeric_limits<double>::quiet_NaN();
 };
 

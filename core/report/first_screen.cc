@@ -117,7 +117,7 @@ std::vector<std::string> NextSteps(const Result& result) {
   }
   if (!result.kind.sees_orientation()) {
     steps.emplace_back(
-        "Positions only were measured: the orientation of the tool is not calibrated.");
+        "The readings do not show how the tool is turned: its orientation is not calibrated.");
   }
   if (result.delivered && result.delivered->rigid) {
     steps.emplace_back(

@@ -378,7 +378,11 @@ DiagnosisResult Diagnose(const ProblemSpec& spec,
   if (doubtful.empty() || !all.unexplained || !spec.diagnosis.effects.empty()) return all;
   ProblemSpec of_parts = spec;
   of_parts.diagnosis.effects = NamesOfParts();
-  DiagnosisResult parts = DiagnoseWith(of_parts, recorded, identified, progress);
+  const Progress second_half = [&](ProgressStep step) {
+    step.share = (1 + step.share) / 2;
+    if (progress) progress(step);
+  };
+  DiagnosisResult parts = DiagnoseWith(of_parts, recorded, identified, second_half);
   if (parts.rms_test_after > kTuning.unmistakable * all.rms_test_after) return all;
   parts.seconds += all.seconds;
   parts.notes.push_back(fmt::format(

@@ -104,11 +104,12 @@ void JudgeFit(const Files& files, const Result& identified, SetupResult* setup) 
         std::max(numbers, 0),
         fit->columns,
         fit->columns / identified.kind.num_coordinates() + (identified.kind.pairs ? 2 : 1)));
-  } else if (Determined(identified, *fit) <= kFewDirections * fit->columns) {
+  } else if (const int determined = Determined(identified, *fit);
+             determined <= kFewDirections * fit->columns) {
     setup->reasons.push_back(fmt::format(
         "The readings determine only {} of {} independent combinations of the parameters. Record "
         "poses in which every joint moves over much of its range, or estimate fewer parameters.",
-        fit->rank,
+        determined,
         fit->columns));
   }
 }

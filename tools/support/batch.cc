@@ -115,12 +115,20 @@ Result RunOrTryFix(bool try_fix, const Watch& watch, Job* job) {
   job->spec = std::move(cured->spec);
   job->recording = std::move(cured->recording);
   job->spec.columns.clear();  // what is stored has the program's own names
-  Result again = Calibrate(job->spec, job->recording, watch);
-  std::vector<SetupCause> causes = std::move(result.setup.causes);
-  causes.insert(causes.end(), again.setup.causes.begin(), again.setup.causes.end());
-  again.setup.causes = std::move(causes);
-  again.setup.cured = true;
-  return again;
+  const auto as_cured = [&](Result again) {
+    std::vector<SetupCause>& causes = again.setup.causes;
+    causes.insert(causes.begin(), result.setup.causes.begin(), result.setup.causes.end());
+    again.setup.cured = true;
+    return again;
+  };
+  Watch watch_cured = watch;
+  watch_cured.geometry = [&](const Result& geometry) { watch.geometry(as_cured(geometry)); };
+  return as_cured(Calibrate(job->spec, job->recording, watch_cured));
+}
+
+/// What an interrupt says while nothing of a job is there.
+std::string NothingWritten(const Job& job) {
+  return "\nInterrupted; nothing was written of " + job.spec.name + ".\n";
 }
 
 /// Geometry that is there long before the diagnosis is written at once, and survives Ctrl-C.
@@ -128,7 +136,10 @@ void KeepGeometry(const Job& job, const Result& geometry, ProgressPrinter* print
   SayOnInterrupt("\nInterrupted while the geometry was written: " + job.directory +
                  "/ holds it, or what was there before.\n");
   Diagnostics diagnostics;  // a folder that cannot be written is told at the end
-  if (!WriteResult(job.spec, job.recording, geometry, job.directory, &diagnostics)) return;
+  if (!WriteResult(job.spec, job.recording, geometry, job.directory, &diagnostics)) {
+    SayOnInterrupt(NothingWritten(job));
+    return;
+  }
   const std::string where = "The geometry is in " + job.directory + "/";
   SayOnInterrupt("\nInterrupted. " + where + "; the search for left-out physics had not ended.\n");
   printer->Announce(Headline(geometry) + "\n" + where +
@@ -149,7 +160,7 @@ Outcome RunJob(const CommandLine& command_line, Job* job) {
   Watch watch;
   if (!quiet) watch.progress = [&printer](const ProgressStep& step) { printer(step); };
   watch.geometry = [&](const Result& geometry) { KeepGeometry(*job, geometry, &printer); };
-  SayOnInterrupt("\nInterrupted; nothing was written.\n");
+  SayOnInterrupt(NothingWritten(*job));
   Outcome outcome;
   outcome.problem = job->spec.name;
   outcome.result = RunOrTryFix(command_line.try_fix, watch, job);

@@ -23,7 +23,7 @@ std::string RemainingText(double seconds) {
 }  // namespace
 
 void ProgressPrinter::operator()(const ProgressStep& step) {
-  if (step.share > share_) share_ = step.share;  // false for NaN
+  if (!std::isnan(step.share)) share_ = step.share;
   const Clock::time_point now = Clock::now();
   if (now - begin_ < kSilence || now - latest_ < kInterval) return;
   latest_ = now;

@@ -22,7 +22,7 @@ class ProgressPrinter {
   Clock::time_point begin_ = Clock::now();
   Clock::time_point latest_ = begin_;
   std::string announced_;
-  double share_ = 0;  // the largest so far
+  double share_ = 0;  // the latest that was told
 };
 
 }  // namespace dhcal
