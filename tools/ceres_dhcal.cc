@@ -30,9 +30,9 @@ void KeepMemory() {
 int main(int argc, char** argv) {
   KeepMemory();
   google::InitGoogleLogging(argv[0]);
-  // What the libraries log is for their developers; what users must know is in reports and errors.
+  // What is logged is for developers (GLOG_v=1); what users must know is in reports and errors.
   FLAGS_logtostderr = true;
-  FLAGS_minloglevel = google::GLOG_FATAL;
+  FLAGS_minloglevel = FLAGS_v > 0 ? google::GLOG_INFO : google::GLOG_FATAL;
   dhcal::CommandLine command_line;
   switch (dhcal::ParseCommandLine(argc, argv, &command_line)) {
     case dhcal::CommandLineStatus::kDone:

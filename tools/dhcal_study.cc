@@ -2,6 +2,7 @@
 //
 //   dhcal_study [group] [draws]      groups: null single several outside masses all (default all,
 //   100)
+//   dhcal_study --vary [draws]       what changes when each deciding number is halved or doubled
 //
 // Prints one line per scenario and, per group, the figures that README quotes. With the group null
 // the alarm rates are at 1 % and 5 %; the others run at false_alarm = 0.05.
@@ -20,6 +21,7 @@
 #include "problems/diagnosis/diagnose.h"
 #include "problems/identify.h"
 #include "tools/study/scenarios.h"
+#include "tools/study/vary.h"
 
 namespace dhcal {
 namespace {
@@ -190,7 +192,8 @@ std::string Line(const Scenario& scenario, const std::vector<Score>& s) {
 
 constexpr char kUsage[] =
     "usage: dhcal_study [null|single|several|outside|masses|all|part of a scenario's name] [draws] "
-    "[verbose]\n";
+    "[verbose]\n"
+    "       dhcal_study --vary [draws]\n";
 
 int Run(const std::string& group, int draws, bool verbose) {
   std::vector<Score> detectable;
@@ -240,6 +243,10 @@ int main(int argc, char** argv) {
   if (draws < 1) {
     std::cerr << "dhcal_study: the number of draws must be at least 1\n" << dhcal::kUsage;
     return 2;
+  }
+  if (group == "--vary") {
+    dhcal::PrintVaried(argc > 2 ? draws : dhcal::kDrawsOfVary, &std::cout);
+    return 0;
   }
   return dhcal::Run(group, draws, argc > 3);
 }

@@ -5,9 +5,11 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 #include "core/physics/step.h"
 #include "problems/diagnosis/hypotheses/cells.h"
+#include "problems/diagnosis/hypotheses/time_constants.h"
 #include "problems/diagnosis/judge/certainty.h"
 #include "problems/diagnosis/rows/outliers.h"
 #include "problems/diagnosis/rows/read_out.h"
@@ -144,6 +146,7 @@ Loop::Found Loop::SearchAt(const JointRows& joint,
   const EvidenceRule rule = RuleAt(joint, geometry.size(), found.names);
   Bank bank(model_, joint, std::move(items), geometry);
   AddLines(joint, rule, &bank);
+  AddTimeConstants(*joint.context, &bank);
   const std::vector<int> chosen = Shortlist(bank, rule);
   std::vector<GramItem> gram_items;
   int first = 0;
@@ -221,10 +224,16 @@ JointRows Loop::Eliminate(JointState start,
     JointRows joint = FitJointly(model_, start, choice, free, iterations);
     const EvidenceRule rule = RuleAt(joint, free.size(), names_);
     const Weakest weakest = WeakestOf(model_, joint, *completions, rule, in_.false_alarm);
+    Trace("to eliminate", joint);
     if (weakest.member < 0 && weakest.completion < 0) return joint;
     start = joint.state;
     if (weakest.member >= 0) {
       start.members.erase(start.members.begin() + weakest.member);
+      if (!weakest.by_size) continue;
+      const JointRows without = FitJointly(model_, start, choice, free, kFarSteps);
+      if (without.y().norm() < kTuning.unmistakable * joint.y().norm()) continue;
+      start = joint.state;
+      start.members[static_cast<std::size_t>(weakest.member)].whatever_size = true;
       continue;
     }
     for (const int k : (*completions)[static_cast<std::size_t>(weakest.completion)].unknowns) {
@@ -232,6 +241,19 @@ JointRows Loop::Eliminate(JointState start,
     }
     completions->erase(completions->begin() + weakest.completion);
   }
+}
+
+void Loop::Trace(const std::string& step, const JointRows& joint) const {
+  if (!VLOG_IS_ON(1)) return;
+  std::string members;
+  for (const Member& member : joint.state.members) members += " " + member.item.id;
+  VLOG(1) << fmt::format("{}: misfit {:.4g}, sigma {:.4g} m, correlation {:.2f}, {} set aside;{}",
+                         step,
+                         joint.y().squaredNorm() / std::max(1, joint.rows->degrees_of_freedom()),
+                         noise_.sigma,
+                         correlation_,
+                         off_.size(),
+                         members.empty() ? " no member" : members);
 }
 
 LoopOutcome Loop::Run() {
@@ -242,6 +264,7 @@ LoopOutcome Loop::Run() {
   say("first model", kShareAtStart);
   RobustStart();
   JointRows joint = FitJointly(model_, model_.Start(), Choice(), all, kFarSteps);
+  Trace("first model", joint);
   const auto taken_up = [&](const Found& found, const JointState& from) {
     JointState state = from;
     std::vector<Member> given;
@@ -277,6 +300,7 @@ LoopOutcome Loop::Run() {
     UpdateOutliers(joint, true);
     UpdateNoise(joint);
     if (UpdateCorrelation(joint)) changed = true;
+    Trace(fmt::format("round {}", round + 1), joint);
     changed = changed || off_ != off_before ||
               std::abs(std::log(noise_.sigma / sigma_before)) > kNoiseSettled;
     if (!changed) break;
@@ -284,6 +308,7 @@ LoopOutcome Loop::Run() {
   }
   std::vector<Item> completions;
   joint = Eliminate(joint.state, all, Choice(), kNearSteps, &completions);
+  Trace("with the complete geometry", joint);
   std::vector<int> geometry = all;
   if (!in_.completions.empty()) {
     say("with the geometry of the problem file", kShareAfterRounds);
@@ -301,6 +326,7 @@ LoopOutcome Loop::Run() {
     }
     joint = Eliminate(state, geometry, Choice(), kNearSteps, &completions);
   }
+  Trace("at the end", joint);
   say("alternatives", kShareAtAlternatives);
   const Found alternatives = SearchAt(joint, geometry, in_.completions, true);
   LoopOutcome outcome;

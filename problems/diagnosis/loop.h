@@ -77,6 +77,8 @@ class Loop {
   /// Moves the instants of steps over all fitted rows, those set aside included: a step that came a
   /// few rows too early makes good rows lie off, and without them it would stay there.
   JointRows WithInstantsMoved(JointRows joint) const;
+  /// For developers: GLOG_v=1 logs what each step holds.
+  void Trace(const std::string& step, const JointRows& joint) const;
   void AddLines(const JointRows& joint, const EvidenceRule& rule, Bank* bank) const;
 
   /// A search at a fit; items and values of the best set.

@@ -1,6 +1,5 @@
 // The numbers of a diagnosis that decide verdicts, in one place: what each means, where it is from.
-// None is fine-tuned: halving or doubling any of them moved at most one answer of 44 hard
-// recordings with a known truth.
+// `dhcal_study --vary` halves and doubles each and counts the answers that change.
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_TUNING_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_TUNING_H_
 
@@ -43,7 +42,8 @@ struct Tuning {
   int rounds = 4;         // of search, joint fit and outliers
   /// A parameter may be ten times its usual size for one unit of evidence (chi-square).
   double size_decades = 1;
-  /// Beyond this many usual sizes a name is no explanation.
+  /// Beyond this many usual sizes a name is no explanation, unless without it the misfit is
+  /// `unmistakable` times as large: then the robot is unusual, not the name.
   double largest_size = 100;
   /// Evidence by which a free function must be better than a name.
   double unnamed_charge = 5;
@@ -58,14 +58,19 @@ struct Tuning {
   double restless = 6.25;
   double predictive_bound = 25;  // squares of one unseen reading that count in full
   double unseen_errors = 2;      // standard errors by which unseen rows must speak against a name
-  // Times the error of unseen rows without it: a driver that nobody knows keeps its name beside a
-  // rest only if it is worth as much. Columns of real tracker data go along with the rest and are
-  // worth little.
+  // Times the error without it: a driver that nobody knows keeps its name beside a rest, and an
+  // effect of an unheard-of size its name, only if it is worth as much. Columns of real tracker data
+  // go along with the rest and are worth little.
   double unmistakable = 1.5;
   double least_certain = 2;  // standard deviations that a finding's value is from zero
 };
 
-inline constexpr Tuning kTuning;
+namespace internal {
+/// Written by `dhcal_study --vary` alone, and never while a diagnosis runs.
+inline Tuning tuning_in_force;
+}  // namespace internal
+
+inline constexpr const Tuning& kTuning = internal::tuning_in_force;
 
 }  // namespace dhcal
 

@@ -206,6 +206,14 @@ Bank::Rest Bank::RestBeside(const std::vector<int>& active) const {
   return rest;
 }
 
+double Bank::GainBeside(const Rest& rest, const Item& item) const {
+  const MatrixXd columns = Columns(item);
+  const MatrixXd beside = ProjectOff(rest.basis, columns);
+  return SquaresRemoved(SquareOf(beside),
+                        beside.transpose() * rest.y,
+                        columns.colwise().squaredNorm().transpose().cwiseMax(1e-300));
+}
+
 Gram Bank::GramOf(const std::vector<int>& chosen) const {
   const std::vector<int> columns = ColumnsOfItems(chosen);
   const MatrixXd own = C_(Eigen::all, columns), taken = T_(Eigen::all, columns);

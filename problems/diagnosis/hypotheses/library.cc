@@ -19,7 +19,6 @@ constexpr int kInstantsTried = 47;
 constexpr int kInstantsAtFirst = 12;
 // Time constants in parts of the longest run; 0 = steadily.
 constexpr double kTimeConstantsTried[] = {0.05, 0.08, 0.12, 0.19, 0.3, 0.5, 0.8, 0.0};
-constexpr double kNearTimeConstants[] = {0.75, 0.87, 1.15, 1.3};
 constexpr int kCurveKnotsTried[] = {8, 14, 28, 120};
 constexpr int kPosesPerKnot = 20;
 constexpr int kFewestKnots = 4;
@@ -186,11 +185,6 @@ std::vector<EffectRequest> FormsOf(const Effect& effect,
     const std::vector<EffectRequest> places = Places(requests, "time_constant_s");
     std::vector<double> constants;
     for (const double part : kTimeConstantsTried) constants.push_back(part * c.duration());
-    if (!places.empty()) {
-      for (const double near : NearSettings(options, places.front(), "time_constant_s")) {
-        for (const double factor : kNearTimeConstants) constants.push_back(factor * near);
-      }
-    }
     const std::vector<EffectRequest> by_time = WithSettings(places, "time_constant_s", constants);
     forms.insert(forms.end(), by_time.begin(), by_time.end());
     return forms;

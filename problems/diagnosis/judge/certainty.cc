@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+#include <glog/logging.h>
 
 #include "core/math/statistics.h"
 #include "problems/diagnosis/refit/joint_fit.h"
@@ -157,13 +159,22 @@ Weakest WeakestOf(const JointModel& model,
     double log_p = certainties.members[k].log_p +
                    std::log(static_cast<double>(rule.names) * member.item.variants);
     const VectorXd& value = certainties.members[k].value;
-    if (HasImpossibleSign(member.item, value)) log_p = kWrongSign;
-    if (UsualSizes(member.item, value) > kTuning.largest_size) {
-      log_p = std::max(log_p, kWrongSize);
-    }
+    const bool impossible = HasImpossibleSign(member.item, value);
+    const bool oversized =
+        !member.whatever_size && UsualSizes(member.item, value) > kTuning.largest_size;
+    const bool by_size = oversized && !impossible && log_p <= std::log(false_alarm);
+    if (impossible) log_p = kWrongSign;
+    if (oversized) log_p = std::max(log_p, kWrongSize);
+    VLOG(2) << fmt::format("{}: log p {:.1f}, value {} (fit {}), {:.3g} usual sizes",
+                           member.item.id,
+                           log_p,
+                           fmt::join(value, " "),
+                           fmt::join(member.value, " "),
+                           UsualSizes(member.item, value));
     if (log_p <= worst) continue;
     worst = log_p;
     weakest.member = static_cast<int>(k);
+    weakest.by_size = by_size;
   }
   for (std::size_t k = 0; k < completions.size(); ++k) {
     const double log_p =

@@ -46,6 +46,7 @@ Certainties CertaintiesOf(const JointModel& model,
 /// choice exceeds `false_alarm`, its sign is impossible, or its size is. Both -1 where all stand.
 struct Weakest {
   int member = -1;
+  bool by_size = false;  // the member is sure, but beyond all usual sizes
   int completion = -1;
 };
 Weakest WeakestOf(const JointModel& model,

@@ -23,6 +23,7 @@ struct Member {
   Item item;
   Eigen::VectorXd value;
   bool given = false;  // switched on in the problem file: always in the model, never judged
+  bool whatever_size = false;  // beyond all usual sizes, and yet nothing else does instead
 };
 
 struct JointState {
