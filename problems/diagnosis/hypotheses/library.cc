@@ -261,9 +261,8 @@ std::vector<Item> NamedItems(const PhysicsContext& c, const LibraryOptions& opti
                IdOf(e) == IdOf(request);
       });
       if (active || !effect->NotTestable(c, request).empty()) continue;
-      // Guessed masses have no shape fine enough for the sign or the cube of a torque.
-      const bool fine =
-          description.name == "torsion_nonlinearity" || request.setting("flank", 0) != 0;
+      // Guessed masses have no shape fine enough for the cube of a torque.
+      const bool fine = description.name == "torsion_nonlinearity";
       if (!options.masses_given && fine && request.setting("measured_torque", 0) == 0) continue;
       // Where a torque was measured, it is believed before a guessed mass.
       const bool guessed_load = !options.masses_given && description.name == "joint_compliance" &&
