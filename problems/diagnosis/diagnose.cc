@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -12,9 +13,6 @@
 #include <fmt/ranges.h>
 
 #include "core/physics/registry.h"
-#include "problems/diagnosis/complete_fit.h"
-#include "problems/diagnosis/completions.h"
-#include "problems/diagnosis/concealed_frame.h"
 #include "problems/diagnosis/judge/certainty.h"
 #include "problems/diagnosis/judge/conclude.h"
 #include "problems/diagnosis/judge/describe.h"
@@ -22,10 +20,10 @@
 #include "problems/diagnosis/judge/rest.h"
 #include "problems/diagnosis/judge/unseen_rows.h"
 #include "problems/diagnosis/loop.h"
+#include "problems/diagnosis/loop_inputs.h"
 #include "problems/diagnosis/rows/outliers.h"
 #include "problems/diagnosis/rows/read_out.h"
 #include "problems/diagnosis/tuning.h"
-#include "problems/noise.h"
 
 namespace dhcal {
 namespace {
@@ -33,8 +31,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-// Of the false-alarm rate; the rest is for structures without a name.
-constexpr double kShareOfNames = 0.5;
 
 /// What a joint's readings say of its last motion, in the controller's sense; zeros without rows.
 MatrixXd DirectionsOf(const ProblemSpec& spec, const Recording& recording) {
@@ -48,57 +44,6 @@ MatrixXd DirectionsOf(const ProblemSpec& spec, const Recording& recording) {
 
 // What stated masses leave, of what fitted ones do, before the fitted ones are delivered.
 constexpr double kClearlyMore = 1.02;
-
-/// Readings that are one draw together: several targets of one pose, or repeats that were too few
-/// to be put together. Coordinates of one point (distances to anchors) are not.
-double ReadingsPerPose(const Calibration& c) {
-  if (c.measurement->kind().anchors || c.measurement->kind().pairs) return 1;
-  const std::vector<int> poses = PosesOfRows(c.recording);
-  std::set<int> distinct;
-  for (const Reading& reading : c.readings.fitted) {
-    distinct.insert(poses[static_cast<std::size_t>(reading.row_idx)]);
-  }
-  const double per_pose = static_cast<double>(c.readings.fitted.size()) /
-                          std::max(1.0, static_cast<double>(distinct.size()));
-  constexpr double kSeveral = 1.5;
-  return per_pose < kSeveral ? 1 : per_pose;
-}
-
-/// Items of the geometry that the file leaves out.
-std::vector<Item> CompletionItems(const std::vector<Completion>& completions,
-                                  const Calibration& whole) {
-  std::vector<Item> items;
-  for (const Completion& completion : completions) {
-    Item item;
-    item.kind = ItemKind::kCompletion;
-    item.request = completion.request;
-    item.id = completion.request.effect + (completion.request.joint > 0
-                                               ? fmt::format(".{}", completion.request.joint)
-                                               : std::string());
-    for (const Parameter& p : completion.parameters) {
-      for (std::size_t k = 0; k < whole.parameters.size(); ++k) {
-        if (whole.parameters[k].name == p.name) item.unknowns.push_back(static_cast<int>(k));
-      }
-    }
-    item.size = static_cast<int>(item.unknowns.size());
-    item.positive.assign(item.unknowns.size(), false);
-    item.typical = VectorXd::Ones(item.size);
-    item.precision = VectorXd::Zero(item.size);
-    items.push_back(std::move(item));
-  }
-  return items;
-}
-
-/// Unknowns of the whole geometry that the file estimates.
-std::vector<int> FileUnknowns(const Calibration& file, const Calibration& whole) {
-  std::set<std::string> names;
-  for (const Parameter& p : file.parameters) names.insert(p.name);
-  std::vector<int> unknowns;
-  for (std::size_t k = 0; k < whole.parameters.size(); ++k) {
-    if (names.count(whole.parameters[k].name) > 0) unknowns.push_back(static_cast<int>(k));
-  }
-  return unknowns;
-}
 
 /// Takes members out that rows not fitted speak against, the most harmful first, fitting again.
 void TakeBack(const JointModel& model, const Loop& loop, LoopOutcome* outcome, DiagnosisResult* d) {
@@ -166,43 +111,6 @@ void AddHypotheses(const LoopOutcome& outcome, DiagnosisResult* d) {
   }
 }
 
-/// What the loop starts from. Frames that the file's own parameters imitate are found, and named,
-/// before it.
-LoopInputs InputsOf(const ProblemSpec& spec,
-                    const Result& identified,
-                    const JointModel& model,
-                    bool averaged,
-                    const Progress& progress,
-                    DiagnosisResult* d) {
-  const Calibration& c = model.calibration();
-  const Recording& recording = c.recording;
-  const Calibration file(spec, recording);
-  LoopInputs inputs;
-  inputs.model = &model;
-  inputs.names = spec.diagnosis.effects;
-  inputs.false_alarm = kShareOfNames * spec.diagnosis.false_alarm;
-  inputs.readings_per_pose = ReadingsPerPose(c);
-  inputs.sigma_known = SourceOfNoise(c).all_given() && !averaged && inputs.readings_per_pose == 1;
-  inputs.quanta = ReadOutQuanta(recording, spec.robot);
-  inputs.noise = InitialNoise(c);
-  inputs.file_unknowns = FileUnknowns(file, c);
-  std::vector<Completion> missing = MissingCompletions(file, c);
-  if (missing.empty()) return inputs;
-  const auto complete = FitComplete(spec, recording, {}, nullptr, progress);
-  if (complete->usable()) AddConcealedFrames(spec, recording, identified, *complete, missing, d);
-  // What is concealed, and named already, belongs to the geometry from here on.
-  const auto named =
-      std::stable_partition(missing.begin(), missing.end(), [&](const Completion& completion) {
-        return std::none_of(d->findings.begin(), d->findings.end(), [&](const Finding& finding) {
-          return completion.request.SameAs(finding.effect);
-        });
-      });
-  inputs.file_unknowns =
-      WithUnknowns(inputs.file_unknowns, CompletionItems({named, missing.end()}, c));
-  inputs.completions = CompletionItems({missing.begin(), named}, c);
-  return inputs;
-}
-
 /// What is said of the rows before anything is said of physics.
 void AddNotesOnRows(const Loop& loop, const LoopOutcome& outcome, DiagnosisResult* d) {
   if (outcome.correlation > 0) {
@@ -223,12 +131,11 @@ void AddNotesOnRows(const Loop& loop, const LoopOutcome& outcome, DiagnosisResul
 /// `before`: the geometry alone, of the `num_readings` that the outcome was fitted to.
 void DescribeMisfit(const JointRows& before,
                     std::size_t num_readings,
-                    const LoopInputs& inputs,
                     const LoopOutcome& outcome,
                     const DistinctRows& distinct,
                     DiagnosisResult* d) {
   Misfit& misfit = d->misfit;
-  misfit.noise_known = inputs.sigma_known;
+  misfit.noise_known = outcome.rule.sigma_known;
   misfit.noise_sigma = outcome.noise.sigma;
   misfit.rows = static_cast<int>(num_readings);
   misfit.statistic = before.y().squaredNorm();
@@ -257,6 +164,37 @@ std::vector<std::string> NamesOfParts() {
   return names;
 }
 
+struct Search {
+  DiagnosisResult result;  // frames that the file conceals
+  std::unique_ptr<Loop> loop;
+  LoopOutcome outcome;
+};
+
+Search SearchEffects(const ProblemSpec& spec,
+                     const JointModel& model,
+                     const Result& identified,
+                     bool averaged,
+                     const Progress& progress) {
+  const Recording& recording = model.calibration().recording;
+  Search search;
+  const auto run = [&] {
+    LoopInputs inputs = InputsOf(spec, model, averaged, search.result.findings);
+    inputs.progress = progress;
+    search.loop = std::make_unique<Loop>(inputs);
+    search.outcome = search.loop->Run();
+  };
+  search.result = ConcealedFramesIn(spec, recording, identified, progress);
+  run();
+  if (search.result.findings.empty() || search.outcome.fit.state.members.empty()) return search;
+  // Strong physics bends the file's own parameters, too: beside it, frames are asked for again.
+  DiagnosisResult beside =
+      ConcealedFramesIn(WithEffectsHeld(spec, search.outcome.fit), recording, {}, progress);
+  if (beside.findings.size() == search.result.findings.size()) return search;
+  search.result = std::move(beside);
+  run();
+  return search;
+}
+
 DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
                              const Recording& recorded,
                              const Result& identified,
@@ -265,10 +203,14 @@ DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
   const auto say = [&](const std::string& text, double share) {
     if (progress) progress({"left-out physics: " + text, share});
   };
-  DiagnosisResult d;
-  d.false_alarm = spec.diagnosis.false_alarm;
   const DistinctRows distinct = PutRepeatsTogether(recorded, DirectionsOf(spec, recorded));
   const Recording& recording = distinct.recording;
+  const JointModel model(spec, recording);
+  Search search = SearchEffects(spec, model, identified, distinct.averaged, progress);
+  const Loop& loop = *search.loop;
+  LoopOutcome& outcome = search.outcome;
+  DiagnosisResult& d = search.result;
+  d.false_alarm = spec.diagnosis.false_alarm;
   d.averaged = distinct.averaged;
   if (distinct.averaged) {
     d.notes.push_back(
@@ -276,11 +218,6 @@ DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
                     recorded.num_rows(),
                     recording.num_rows()));
   }
-  const JointModel model(spec, recording);
-  LoopInputs inputs = InputsOf(spec, identified, model, distinct.averaged, progress, &d);
-  inputs.progress = progress;
-  Loop loop(inputs);
-  LoopOutcome outcome = loop.Run();
   say("rows that were not fitted", kShareAtUnseen);
   TakeBack(model, loop, &outcome, &d);
   AddNotesOnRows(loop, outcome, &d);
@@ -303,7 +240,7 @@ DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
   d.rms_test_before = unseen_before.UnseenRms({});
   d.rms_test_after = unseen.UnseenRms(cells);
   d.validation_method = unseen.method();
-  DescribeMisfit(before, choice.readings.size(), inputs, outcome, distinct, &d);
+  DescribeMisfit(before, choice.readings.size(), outcome, distinct, &d);
 
   const JointRows searched_before = model.At(before.state, loop.Choice(), outcome.free);
   const JointRows searched = model.At(outcome.fit.state, loop.Choice(), outcome.free);
@@ -318,7 +255,7 @@ DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
   Judged judged;
   judged.rest = last.log_p < std::log((1 - kShareOfNames) * spec.diagnosis.false_alarm);
   const double variance = RobustVariance(outcome.fit.y(), outcome.fit.rows->coordinates());
-  if (inputs.sigma_known && variance > kTuning.restless) judged.rest = true;
+  if (outcome.rule.sigma_known && variance > kTuning.restless) judged.rest = true;
   judged.cells = !cells.empty();
   const std::vector<std::vector<int>> groups = FindingGroups(outcome.fit.state.members);
   const Certainties certainties =
@@ -360,7 +297,7 @@ DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
   say("what could stay hidden", kShareAtHidden);
   AddHiddenRisks(model, searched, outcome.rule, last.rest, &d);
   d.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return d;
+  return std::move(d);
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ struct Item {
   Eigen::VectorXd precision;
   std::string taken_for;                    // effect: class of those that it is easily taken for
   bool elastic = false;                     // its shape rests on the masses
+  bool own_angle = false;                   // an error of a joint's angle that the angle drives
   std::vector<int> unknowns;                // completion: the geometric unknowns that it frees
   std::shared_ptr<const SlotColumns> cell;  // cell: its columns
   Eigen::VectorXd driver_values;            // cell: per recording row; empty = several drivers

@@ -192,6 +192,17 @@ std::vector<EffectRequest> FormsOf(const Effect& effect,
   return requests;
 }
 
+bool MovesOnlyItsAngle(const PhysicsContext& c,
+                       const EffectRequest& request,
+                       const std::vector<EffectColumn>& columns) {
+  if (request.joint == 0) return false;
+  return std::all_of(columns.begin(), columns.end(), [&](const EffectColumn& column) {
+    return std::all_of(column.slots.begin(), column.slots.end(), [&](const SlotWeights& w) {
+      return w.slot == c.joint_slot(request.joint - 1);
+    });
+  });
+}
+
 /// What the choice of this form costs.
 int VariantsOf(const PhysicsContext& c, const EffectRequest& request, int same_id) {
   if (request.settings.count("driver_joint") > 0) return std::max(1, c.num_joints() - 1);
@@ -239,6 +250,7 @@ Item NamedItem(const PhysicsContext& c, const EffectRequest& request, int varian
   }
   const EffectPlace place = effect.Place(c, request);
   item.elastic = place.driver == "gravity torque" || place.driver == "overturning moment";
+  item.own_angle = place.driver == "joint angle" && MovesOnlyItsAngle(c, request, columns);
   item.taken_for = place.effect_class;
   return item;
 }

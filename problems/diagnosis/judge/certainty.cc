@@ -37,6 +37,25 @@ double WaldSquare(const VectorXd& v, const MatrixXd& C, int* directions) {
   return square;
 }
 
+/// By a refit without the completion: along what the rows do not see a frame and the first rows turn
+/// together, so far that Wald's quadratic no longer holds where the rows do see something.
+double LogChanceWithout(const JointModel& model,
+                        const JointRows& joint,
+                        const Item& completion,
+                        const EvidenceRule& rule) {
+  JointState state = joint.state;
+  std::vector<int> free;
+  for (const int k : completion.unknowns) state.geometry[k] = 0;
+  for (const int k : joint.free) {
+    const auto& gone = completion.unknowns;
+    if (std::find(gone.begin(), gone.end(), k) == gone.end()) free.push_back(k);
+  }
+  const JointRows without = FitJointly(model, state, *joint.choice, free, kFarSteps);
+  const double left = SquaresLeft(model, without, joint.phi);
+  const double gain = left - SquaresLeft(model, joint, joint.phi);
+  return LogChanceOfGain(std::max(gain, 0.0), completion.size, left, rule);
+}
+
 /// True if every parameter that must be positive is zero or below.
 bool HasImpossibleSign(const Item& item, const VectorXd& value) {
   bool signed_item = false;
@@ -141,6 +160,7 @@ Certainties CertaintiesOf(const JointModel& model,
                                          joint.free.begin()));
     }
     certainties.completions.push_back(judge(columns, joint.state.geometry(item.unknowns)));
+    certainties.completions.back().log_p = LogChanceWithout(model, joint, item, rule);
   }
   return certainties;
 }

@@ -30,7 +30,7 @@ struct Certainty {
 /// least certain first, until one value is certain or none is left.
 void ShowWhatIsHeld(const Eigen::MatrixXd& C, Certainty* certainty);
 
-/// Of a joint fit, by Wald's test.
+/// Of a joint fit: members by Wald's test, completions by a refit without each.
 struct Certainties {
   std::vector<Certainty> members, completions;
   Eigen::MatrixXd covariance;  // of free geometry and members, for rows of unit variance

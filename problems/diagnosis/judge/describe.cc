@@ -45,6 +45,30 @@ bool IsSeries(const std::vector<int>& group, const std::vector<Member>& members)
          });
 }
 
+/// A curve of a joint's angle holds whatever else the angle does to itself: a slope beside it is
+/// part of the curve, since the curve has no end of its own.
+void JoinCurves(const std::vector<Member>& members, std::vector<std::vector<int>>* groups) {
+  const auto item = [&](int m) -> const Item& { return members[static_cast<std::size_t>(m)].item; };
+  for (std::vector<int>& curve : *groups) {
+    const bool has_curve = IsSeries(curve, members) ||
+                           std::any_of(curve.begin(), curve.end(), [&](int m) {
+                             return IsCurve(item(m).request);
+                           });
+    if (!has_curve) continue;
+    for (std::vector<int>& other : *groups) {
+      if (&other == &curve || other.empty()) continue;
+      const Item& first = item(other.front());
+      if (!first.own_angle || first.request.joint != item(curve.front()).request.joint) continue;
+      curve.insert(curve.end(), other.begin(), other.end());
+      other.clear();
+    }
+  }
+  groups->erase(std::remove_if(groups->begin(),
+                               groups->end(),
+                               [](const std::vector<int>& group) { return group.empty(); }),
+                groups->end());
+}
+
 double Quantile95(const EvidenceRule& rule) {
   return StudentTwoSided(
       0.95, rule.sigma_known ? std::numeric_limits<double>::infinity() : std::max(rule.dof, 1.0));
@@ -108,6 +132,7 @@ std::vector<std::vector<int>> FindingGroups(const std::vector<Member>& members) 
       same->push_back(static_cast<int>(k));
     }
   }
+  JoinCurves(members, &groups);
   return groups;
 }
 

@@ -17,8 +17,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kSteps[] = {1.0, 0.5, 0.2, 0.05};
-// A step is good unless it raises the squares by more than rounding of a nonlinear model may.
-constexpr double kRisesBy = 1.02, kRisesByAtMost = 10;
 constexpr double kSettled = 0.5;  // squares
 // Of a scaled unknown's own squares: rounding must not make them negative.
 constexpr double kSmall = 1e-13;
@@ -36,6 +34,16 @@ JointState Moved(const JointRows& joint, const VectorXd& step, double part) {
 }
 
 }  // namespace
+
+double SquaresLeft(const JointModel& model, const JointRows& joint, double phi) {
+  double priors = joint.value.cwiseProduct(joint.precision).squaredNorm();
+  for (const int k : joint.free) {
+    const double in_priors = joint.state.geometry[k] / model.prior()[k];
+    priors += in_priors * in_priors;
+  }
+  for (const int k : joint.mass_idx) priors += joint.state.masses[k] * joint.state.masses[k];
+  return joint.y().squaredNorm() + phi * priors;
+}
 
 Augmented AugmentedRows(const JointModel& model, const JointRows& joint, const MatrixXd& N) {
   Augmented augmented;
@@ -79,18 +87,17 @@ JointRows FitJointly(const JointModel& model,
     const Augmented augmented = AugmentedRows(model, joint, joint.N);
     const NormalFactor normal(augmented.B);
     const VectorXd step = normal.Solve(augmented.B.transpose() * augmented.y);
-    const double before = joint.y().squaredNorm();
+    const double phi = joint.phi, before = SquaresLeft(model, joint, phi);
     bool moved = false;
     for (const double part : kSteps) {
       JointRows tried = model.At(Moved(joint, step, part), choice, free);
-      const double after = tried.y().squaredNorm();
-      if (!(after < kRisesBy * before + kRisesByAtMost)) continue;
+      if (!(SquaresLeft(model, tried, phi) < before)) continue;
       joint = std::move(tried);
       moved = true;
       break;
     }
     if (!moved) break;
-    if (iteration > 0 && std::abs(joint.y().squaredNorm() - before) < kSettled) break;
+    if (iteration > 0 && before - SquaresLeft(model, joint, phi) < kSettled) break;
   }
   return joint;
 }

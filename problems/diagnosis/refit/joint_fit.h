@@ -16,6 +16,9 @@ namespace dhcal {
 /// It ends when it settles.
 constexpr int kFarSteps = 12;
 
+/// Squares that a fit minimises: of the rows and, times `phi`, of the priors.
+double SquaresLeft(const JointModel& model, const JointRows& joint, double phi);
+
 /// Fits from `start`; the result is the best state seen, linearised.
 JointRows FitJointly(const JointModel& model,
                      const JointState& start,

@@ -177,6 +177,7 @@ JointRows JointModel::At(JointState state,
   const Bent bent = Bend(&state);
   JointRows joint;
   joint.free = free;
+  joint.choice = std::make_shared<const RowChoice>(choice);
   joint.robot = bent.robot;
   joint.context = bent.context;
   joint.rows = std::make_shared<const DesignRows>(c, state.deltas, choice.weights, choice.readings);

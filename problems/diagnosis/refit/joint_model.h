@@ -23,7 +23,7 @@ struct Member {
   Item item;
   Eigen::VectorXd value;
   bool given = false;  // switched on in the problem file: always in the model, never judged
-  bool whatever_size = false;  // beyond all usual sizes, and yet nothing else does instead
+  bool whatever_size = false;  // beyond all usual sizes, and nothing else does instead
 };
 
 struct JointState {
@@ -53,6 +53,7 @@ struct JointRows {
   Eigen::MatrixXd N;          // of the masses that the members' loads rest on
   std::vector<int> mass_idx;  // of each column of N, into the state's masses
   double phi = 1;             // chi-square per row, at least 1: the priors grow with its root
+  std::shared_ptr<const RowChoice> choice;
 
   const Eigen::VectorXd& y() const { return rows->y(); }
   /// Columns of a member in X.
