@@ -13,6 +13,7 @@
 #include "problems/diagnosis/projection.h"
 #include "problems/diagnosis/refit/joint_fit.h"
 #include "problems/diagnosis/rows/outliers.h"
+#include "problems/diagnosis/spectrum.h"
 #include "problems/diagnosis/tuning.h"
 #include "problems/diagnosis/unseen.h"
 
@@ -81,6 +82,7 @@ UnseenRows::UnseenRows(const JointModel& model,
     first_.push_back(first);
     size_.push_back(member.item.size);
     elastic_.push_back(member.item.elastic);
+    scanned_.push_back(IsScannedLine(member.item.request));
     first += member.item.size;
   }
   white_ = RowsOf(joint);
@@ -244,9 +246,12 @@ UnseenRows::Gain UnseenRows::GainOf(const std::vector<int>& group, int way) cons
 }
 
 bool UnseenRows::SpeakAgainst(const std::vector<int>& group) const {
+  const bool scanned = std::any_of(group.begin(), group.end(), [&](int m) {
+    return scanned_[static_cast<std::size_t>(m)];
+  });
   for (int way = 0; way < num_ways(); ++way) {
     const Gain gain = GainOf(group, way);
-    if (gain.sum >= -kTuning.unseen_errors * gain.error) return false;
+    if (gain.sum > (scanned ? 0.0 : -kTuning.unseen_errors * gain.error)) return false;
   }
   return num_ways() > 0;
 }

@@ -41,7 +41,8 @@ class UnseenRows {
     double sum = 0, error = 0;
   };
   Gain GainOf(const std::vector<int>& group, int way) const;
-  /// True if every way speaks against the group.
+  /// True if every way speaks against the group; for a line that a scan found, if none speaks for
+  /// it: a tooth that is there is there for all rows alike, and a scan finds what a few rows make.
   bool SpeakAgainst(const std::vector<int>& group) const;
 
  private:
@@ -73,6 +74,7 @@ class UnseenRows {
   std::vector<int> first_;  // column of each member
   std::vector<int> size_;
   std::vector<bool> elastic_;
+  std::vector<bool> scanned_;
   std::vector<int> mass_idx_;
   Eigen::VectorXd mass_value_;  // at the fit, in units of the masses' priors
   std::vector<int> row_of_;     // recording row of each fitted row
