@@ -16,6 +16,7 @@
 #include "problems/diagnosis/judge/certainty.h"
 #include "problems/diagnosis/judge/conclude.h"
 #include "problems/diagnosis/judge/describe.h"
+#include "problems/diagnosis/judge/doubtful.h"
 #include "problems/diagnosis/judge/hidden.h"
 #include "problems/diagnosis/judge/rest.h"
 #include "problems/diagnosis/judge/unseen_rows.h"
@@ -69,6 +70,20 @@ void TakeBack(const JointModel& model, const Loop& loop, LoopOutcome* outcome, D
       state.members.erase(state.members.begin() + *m);
     }
     outcome->fit = FitJointly(model, state, loop.Choice(), outcome->free, 3);
+  }
+}
+
+/// Takes the names off that something unnamed makes doubtful.
+void TakeNamesOff(LoopOutcome* outcome, DiagnosisResult* d) {
+  std::vector<Member>& members = outcome->fit.state.members;
+  for (const int m : DoubtfulMembers(outcome->fit)) {
+    Item& item = members[static_cast<std::size_t>(m)].item;
+    d->notes.push_back(fmt::format(
+        "{} would fit, but is not named: as much of what joint {} does has no name, and it may be a "
+        "part of that.",
+        InstanceName(item.request),
+        item.request.joint));
+    item = Unnamed(item, *outcome->fit.context);
   }
 }
 
@@ -220,6 +235,7 @@ DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
   }
   say("rows that were not fitted", kShareAtUnseen);
   TakeBack(model, loop, &outcome, &d);
+  TakeNamesOff(&outcome, &d);
   AddNotesOnRows(loop, outcome, &d);
 
   // All good rows; the geometry alone by the same.

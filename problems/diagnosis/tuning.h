@@ -62,6 +62,9 @@ struct Tuning {
   // effect of an unheard-of size its name, only if it is worth as much. Columns of real tracker data
   // go along with the rest and are worth little.
   double unmistakable = 1.5;
+  /// Of what a name for a joint's angle moves: unnamed things at that joint that move as much make
+  /// the name their shadow. Real joints' curves have ten times their rest.
+  double shadow = 0.5;
   double least_certain = 2;  // standard deviations that a finding's value is from zero
 };
 

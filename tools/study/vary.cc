@@ -113,6 +113,7 @@ std::vector<TuningNumber> TuningNumbers() {
           real("predictive_bound", &Tuning::predictive_bound),
           real("unseen_errors", &Tuning::unseen_errors),
           real("unmistakable", &Tuning::unmistakable),
+          real("shadow", &Tuning::shadow),
           real("least_certain", &Tuning::least_certain)};
 }
 

@@ -27,6 +27,7 @@ struct CellDriver {
   std::string name;
   MatrixXd functions;  // rows x functions
   VectorXd values;     // empty: several drivers
+  std::vector<int> joints;  // whose angles drive it, from 1
 };
 
 bool Moves(const VectorXd& values) {
@@ -42,13 +43,19 @@ CellDriver Smooth(const std::string& name, const VectorXd& values, int knots) {
   for (int k = 0; k < knots; ++k) {
     at.push_back(values.minCoeff() + (values.maxCoeff() - values.minCoeff()) * k / (knots - 1.0));
   }
-  return {name, Hats(values, at).rightCols(knots - 1), values};
+  return {name, Hats(values, at).rightCols(knots - 1), values, {}};
+}
+
+CellDriver AngleOf(const PhysicsContext& c, int joint, int knots) {
+  CellDriver driver = Smooth(fmt::format("q{}", joint + 1), c.q(joint), knots);
+  driver.joints = {joint + 1};
+  return driver;
 }
 
 CellDriver PowersOf(const std::string& name, const VectorXd& values, int powers) {
   const VectorXd centred = values.array() - values.mean();
   const double spread = std::max(std::sqrt(centred.array().square().mean()), 1e-300);
-  CellDriver driver{name, MatrixXd(values.size(), powers), values};
+  CellDriver driver{name, MatrixXd(values.size(), powers), values, {}};
   for (int k = 0; k < powers; ++k) {
     driver.functions.col(k) = (centred / spread).array().pow(k + 1).matrix();
   }
@@ -73,6 +80,7 @@ Item CellOf(const std::string& slot, const std::vector<int>& slots, const CellDr
   item.precision = VectorXd::Zero(item.size);
   item.cell = std::move(columns);
   item.driver_values = driver.values;
+  item.driven_by = driver.joints;
   return item;
 }
 
@@ -101,7 +109,7 @@ std::vector<CellDriver> CircumstanceDrivers(const PhysicsContext& c) {
   }
   const auto runs = static_cast<int>(rec.run_names.size());
   if (runs > 1 && runs <= kMostRunsOfACell) {
-    CellDriver driver{kRun, MatrixXd::Zero(c.num_rows(), runs - 1), {}};
+    CellDriver driver{kRun, MatrixXd::Zero(c.num_rows(), runs - 1), {}, {}};
     for (int row = 0; row < c.num_rows(); ++row) {
       if (rec.run(row) > 0) driver.functions(row, rec.run(row) - 1) = 1;
     }
@@ -116,7 +124,7 @@ std::vector<CellDriver> OwnCellDrivers(const PhysicsContext& c, int joint) {
   const Recording& rec = c.recording();
   const VectorXd direction = c.direction().col(joint);
   if (Moves(direction) && c.moves(joint)) {
-    CellDriver driver{"approach direction", MatrixXd(c.num_rows(), 5), {}};
+    CellDriver driver{"approach direction", MatrixXd(c.num_rows(), 5), {}, {}};
     const Eigen::ArrayXd q = c.q(joint).array();
     driver.functions.col(0) = direction;
     driver.functions.col(1) = direction.array() * q.sin();
@@ -139,8 +147,9 @@ CellDriver ProductOf(const PhysicsContext& c, int one, int other) {
   const VectorXd a = c.q(one).array() - c.q(one).mean();
   const VectorXd b = c.q(other).array() - c.q(other).mean();
   CellDriver driver{
-      fmt::format("q{} times q{}", one + 1, other + 1), MatrixXd(c.num_rows(), 3), {}};
+      fmt::format("q{} times q{}", one + 1, other + 1), MatrixXd(c.num_rows(), 3), {}, {}};
   driver.functions << a.cwiseProduct(b), a, b;
+  driver.joints = {one + 1, other + 1};
   return driver;
 }
 
@@ -167,9 +176,9 @@ std::vector<Item> CellItems(const PhysicsContext& c) {
     };
     for (const int other : moving) {
       if (other != joint) {
-        add(Smooth(fmt::format("q{}", other + 1), c.q(other), kAngleKnots), 1);
+        add(AngleOf(c, other, kAngleKnots), 1);
       } else if (!c.revolute(joint)) {
-        add(Smooth(fmt::format("q{}", joint + 1), c.q(joint), kAngleKnots), 1);
+        add(AngleOf(c, joint, kAngleKnots), 1);
       }
     }
     for (const CellDriver& driver : OwnCellDrivers(c, joint)) add(driver, 1);
@@ -183,8 +192,7 @@ std::vector<Item> CellItems(const PhysicsContext& c) {
   }
   for (const auto& [name, frame] : frames) {
     for (const int joint : moving) {
-      items.push_back(
-          CellOf(name, frame, Smooth(fmt::format("q{}", joint + 1), c.q(joint), kFrameKnots)));
+      items.push_back(CellOf(name, frame, AngleOf(c, joint, kFrameKnots)));
     }
     for (const CellDriver& driver : circumstances) {
       // Frames that differ between runs have names of their own.

@@ -42,6 +42,7 @@ struct Item {
   std::vector<int> unknowns;                // completion: the geometric unknowns that it frees
   std::shared_ptr<const SlotColumns> cell;  // cell: its columns
   Eigen::VectorXd driver_values;            // cell: per recording row; empty = several drivers
+  std::vector<int> driven_by;               // cell: joints whose angles drive it, from 1
 
   bool is_name() const { return kind != ItemKind::kCell; }
   /// Same item with the same settings.
