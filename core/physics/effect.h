@@ -57,6 +57,9 @@ struct EffectDescription {
   /// Nobody knows whether what drives it is a cause: beside a rest, which has a cause of its own
   /// that may go along with the driver, it has no name.
   bool needs_whole_model = false;
+  /// What drives it counts from a zero that nobody knows: a constant of the slots it moves is no
+  /// error of the geometry.
+  bool zero_unknown = false;
 };
 
 /// Where an effect sits, what drives it, and which others it is easily taken for.
@@ -96,6 +99,12 @@ class Effect {
   /// The instances that a diagnosis tries, settings included.
   virtual std::vector<EffectRequest> Candidates(const PhysicsContext& context) const = 0;
   virtual EffectPlace Place(const PhysicsContext& context, const EffectRequest& request) const = 0;
+  /// What moves these readings in the same way under another name of its own, and is no candidate
+  /// for that reason: who names one has to name all.
+  virtual std::vector<EffectRequest> Twins(const PhysicsContext& /*context*/,
+                                           const EffectRequest& /*request*/) const {
+    return {};
+  }
   /// True if the joint angles and the payload alone say what it does: such an effect can be
   /// predicted at poses that were not recorded.
   virtual bool DependsOnPoseOnly(const EffectRequest& /*request*/) const { return false; }

@@ -79,8 +79,8 @@ void TakeNamesOff(LoopOutcome* outcome, DiagnosisResult* d) {
   for (const int m : DoubtfulMembers(outcome->fit)) {
     Item& item = members[static_cast<std::size_t>(m)].item;
     d->notes.push_back(fmt::format(
-        "{} would fit, but is not named: as much of what joint {} does has no name, and it may be a "
-        "part of that.",
+        "{} would fit, but is not named: it may be a part of something else that joint {} does and "
+        "that has no name.",
         InstanceName(item.request),
         item.request.joint));
     item = Unnamed(item, *outcome->fit.context);
@@ -294,7 +294,11 @@ DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
     return finding.effect_class == "geometry";
   });
   d.model = ModelOf(outcome, certainties);
-  if (!model.masses_given() ? !outcome.fit.mass_idx.empty()
+  const auto& members = outcome.fit.state.members;
+  const bool loaded = std::any_of(members.begin(), members.end(), [](const Member& m) {
+    return m.item.elastic && m.item.request.setting("free_masses", 0) == 0;
+  });
+  if (!model.masses_given() ? loaded
                             : unseen.RmsOfStatedMasses(cells) > kClearlyMore * d.rms_train_after) {
     d.links = outcome.fit.robot->links;
   }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
+#include "core/physics/registry.h"
 #include "core/physics/step.h"
 #include "problems/diagnosis/hypotheses/cells.h"
 #include "problems/diagnosis/hypotheses/time_constants.h"
@@ -25,6 +26,33 @@ using Eigen::VectorXd;
 constexpr double kNoiseSettled = 0.02;
 constexpr int kInstantsAround = 12;  // rows to both sides
 constexpr int kNearSteps = 3;
+
+std::vector<int> United(const std::vector<int>& a, const std::vector<int>& b) {
+  std::set<int> all(a.begin(), a.end());
+  all.insert(b.begin(), b.end());
+  return {all.begin(), all.end()};
+}
+
+std::vector<Item> WithoutUnknowns(std::vector<Item> completions, const std::vector<int>& known) {
+  for (Item& item : completions) {
+    std::vector<int>& own = item.unknowns;
+    own.erase(std::remove_if(own.begin(),
+                             own.end(),
+                             [&](int k) {
+                               return std::find(known.begin(), known.end(), k) != known.end();
+                             }),
+              own.end());
+    item.size = static_cast<int>(own.size());
+    item.positive.resize(own.size());
+    item.typical.conservativeResize(item.size);
+    item.precision.conservativeResize(item.size);
+  }
+  completions.erase(
+      std::remove_if(
+          completions.begin(), completions.end(), [](const Item& item) { return item.size == 0; }),
+      completions.end());
+  return completions;
+}
 
 }  // namespace
 
@@ -129,6 +157,23 @@ JointRows Loop::WithInstantsMoved(JointRows joint) const {
     setting->second = best;
   }
   return moved ? FitJointly(model_, state, Choice(), joint.free, 2) : std::move(joint);
+}
+
+std::vector<int> Loop::UnknownZeros(const JointRows& joint) const {
+  std::set<int> slots;
+  for (const Member& member : joint.state.members) {
+    if (member.item.kind != ItemKind::kEffect) continue;
+    if (!FindEffect(member.item.request.effect)->Describe().zero_unknown) continue;
+    for (const auto& column : ColumnsOf(member.item, *joint.context)) {
+      for (const SlotWeights& w : column) slots.insert(w.slot);
+    }
+  }
+  std::vector<int> unknowns;
+  const auto& parameters = model_.calibration().parameters;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    if (slots.count(parameters[k].slot) > 0) unknowns.push_back(static_cast<int>(k));
+  }
+  return unknowns;
 }
 
 Loop::Found Loop::SearchAt(const JointRows& joint,
@@ -312,7 +357,9 @@ LoopOutcome Loop::Run() {
   std::vector<int> geometry = all;
   if (!in_.completions.empty()) {
     say("with the geometry of the problem file", kShareAfterRounds);
-    geometry = in_.file_unknowns;
+    const std::vector<int> zeros = UnknownZeros(joint);
+    geometry = United(in_.file_unknowns, zeros);
+    in_.completions = WithoutUnknowns(in_.completions, zeros);
     const Found found = SearchAt(joint, geometry, in_.completions, false);
     JointState state = taken_up(found, joint.state);
     std::set<int> kept(geometry.begin(), geometry.end());

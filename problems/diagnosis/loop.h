@@ -79,6 +79,8 @@ class Loop {
   JointRows WithInstantsMoved(JointRows joint) const;
   /// For developers: GLOG_v=1 logs what each step holds.
   void Trace(const std::string& step, const JointRows& joint) const;
+  /// Unknowns of the slots that members move from a zero that nobody knows.
+  std::vector<int> UnknownZeros(const JointRows& joint) const;
   void AddLines(const JointRows& joint, const EvidenceRule& rule, Bank* bank) const;
 
   /// A search at a fit; items and values of the best set.

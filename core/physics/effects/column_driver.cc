@@ -154,11 +154,16 @@ MatrixXd MotionsOfSlots(const PhysicsContext& c) {
   return motions;
 }
 
+bool MoveAlike(const VectorXd& a, const VectorXd& b) {
+  constexpr double kAlike = 1e-4;  // of the squares
+  const double along = a.dot(b);
+  return along * along > (1 - kAlike) * a.squaredNorm() * b.squaredNorm();
+}
+
 /// Slots that a diagnosis tries. Many move the point alike (the height of row 1 and that of the
 /// base, the last row's length and the tool's): of those the joint's own, else the frame's.
 std::vector<int> SlotsTried(const PhysicsContext& c) {
   constexpr double kMoves = 1e-3;  // [m] per rad or m
-  constexpr double kAlike = 1e-4;  // of the squares
   std::vector<int> order;
   for (int joint = 0; joint < c.num_joints(); ++joint) order.push_back(c.joint_slot(joint));
   for (int slot = c.slots().base(0); slot < c.slots().size(); ++slot) order.push_back(slot);
@@ -171,8 +176,7 @@ std::vector<int> SlotsTried(const PhysicsContext& c) {
     const VectorXd own = motions.col(slot);
     if (own.norm() < kMoves * std::sqrt(static_cast<double>(own.size()))) continue;
     const bool known = std::any_of(tried.begin(), tried.end(), [&](int other) {
-      const double along = own.dot(motions.col(other)) / motions.col(other).norm();
-      return along * along > (1 - kAlike) * own.squaredNorm();
+      return MoveAlike(own, motions.col(other));
     });
     if (!known) tried.push_back(slot);
   }
@@ -191,6 +195,7 @@ class ColumnDriverEffect final : public Effect {
                         "0.1 mrad or 0.1 mm over the column's course [PHYSICS.md U1]"};
     d.has_joint = false;
     d.needs_whole_model = true;
+    d.zero_unknown = true;
     return d;
   }
 
@@ -233,6 +238,22 @@ class ColumnDriverEffect final : public Effect {
 
   EffectPlace Place(const PhysicsContext& c, const EffectRequest& request) const override {
     return {"column", Location(c, request.word("slot")), "column " + request.word("column")};
+  }
+
+  std::vector<EffectRequest> Twins(const PhysicsContext& c,
+                                   const EffectRequest& request) const override {
+    const MatrixXd motions = MotionsOfSlots(c);
+    const int own = *SlotNamed(c.slots(), request.word("slot"));
+    std::vector<EffectRequest> twins;
+    for (int slot = 0; slot < c.slots().size(); ++slot) {
+      const bool beta =
+          c.slots().is_joint(slot) && SlotLayout::NumberAt(slot) == JointSlot::kBeta;
+      if (slot == own || beta || !MoveAlike(motions.col(own), motions.col(slot))) continue;
+      EffectRequest twin = request;
+      twin.words["slot"] = c.slots().Name(slot);
+      twins.push_back(twin);
+    }
+    return twins;
   }
 
   std::string Sentence(const PhysicsContext& /*context*/,

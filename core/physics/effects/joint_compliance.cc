@@ -105,7 +105,7 @@ class JointComplianceEffect final : public Effect {
     std::string text = fmt::format(
         "{} is compliant under gravity load; {}, so only products with the compliance are known: ",
         JointWords(context, request.joint),
-        FreesMasses(request) ? "the stated masses do not fit" : "the masses are not given");
+        FreesMasses(request) ? "its load is not known" : "the masses are not given");
     for (std::size_t k = 0; k < values.size(); ++k) {
       const EffectValue& value = values[k];
       const std::string moment = value.parameter.substr(std::string("compliance_x_").size());

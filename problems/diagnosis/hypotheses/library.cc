@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/base/units.h"
+#include "core/physics/gravity.h"
 #include "core/physics/registry.h"
 #include "core/physics/step.h"
 
@@ -24,6 +25,9 @@ constexpr int kPosesPerKnot = 20;
 constexpr int kFewestKnots = 4;
 constexpr int kOrdersOfAScan = 150;
 constexpr char kColumn[] = "column";  // setting
+// Of the largest load: a guess puts the last links' masses on their axes, where they load nothing,
+// whatever the true ones do. Below, moments are fitted instead.
+constexpr double kLeastGuess = 0.02;
 // The names that search this scan: a line of free order is chosen from all of them.
 constexpr double kHighestWholeOrder = 7;
 
@@ -73,6 +77,13 @@ std::vector<EffectRequest> Places(const std::vector<EffectRequest>& requests,
 bool UsableTorque(const PhysicsContext& c, const Effect& effect, EffectRequest request) {
   request.settings["measured_torque"] = 1;
   return effect.NotTestable(c, request).empty();
+}
+
+/// Root mean square of gravity's torque about a joint [N m or N] under the masses assumed.
+double GuessedLoad(const PhysicsContext& c, int joint) {
+  if (!GravityLoads(c, joint - 1)) return 0;
+  const Eigen::VectorXd torque = GravityTorque(c, MassCases(c, joint - 1).front(), joint - 1);
+  return std::sqrt(torque.squaredNorm() / static_cast<double>(torque.size()));
 }
 
 std::vector<EffectRequest> AllPairs(const PhysicsContext& c, const std::string& effect) {
@@ -257,6 +268,10 @@ Item NamedItem(const PhysicsContext& c, const EffectRequest& request, int varian
 
 std::vector<Item> NamedItems(const PhysicsContext& c, const LibraryOptions& options) {
   std::vector<Item> items;
+  double least_load = 0;
+  for (int joint = 1; joint <= c.num_joints() && !options.masses_given; ++joint) {
+    least_load = std::max(least_load, kLeastGuess * GuessedLoad(c, joint));
+  }
   for (const Effect* const effect : AllEffects()) {
     const EffectDescription description = effect->Describe();
     const auto& names = options.names;
@@ -277,10 +292,14 @@ std::vector<Item> NamedItems(const PhysicsContext& c, const LibraryOptions& opti
       const bool fine = description.name == "torsion_nonlinearity";
       if (!options.masses_given && fine && request.setting("measured_torque", 0) == 0) continue;
       // Where a torque was measured, it is believed before a guessed mass.
-      const bool guessed_load = !options.masses_given && description.name == "joint_compliance" &&
-                                request.setting("measured_torque", 0) == 0;
-      if (guessed_load && UsableTorque(c, *effect, request)) continue;
+      const bool guessed_load = !options.masses_given && request.setting("measured_torque", 0) == 0;
+      const bool compliance = guessed_load && description.name == "joint_compliance";
+      if (compliance && UsableTorque(c, *effect, request)) continue;
+      const bool rests_on_guess = compliance || (guessed_load && request.setting("flank", 0) != 0);
+      const bool nothing_guessed = rests_on_guess && GuessedLoad(c, request.joint) < least_load;
+      if (nothing_guessed && !compliance) continue;
       forms.push_back(request);
+      if (nothing_guessed) forms.back().settings["free_masses"] = 1;
       ++count[IdOf(request)];
     }
     for (const EffectRequest& request : forms) {

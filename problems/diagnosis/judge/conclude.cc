@@ -117,6 +117,15 @@ std::string NamesOfFindings(const DiagnosisResult& d) {
 
 }  // namespace
 
+void AddTwins(const PhysicsContext& context, Finding* finding) {
+  const Effect& effect = *FindEffect(finding->effect.effect);
+  std::vector<Confusable> twins;
+  for (const EffectRequest& twin : effect.Twins(context, finding->effect)) {
+    twins.push_back({twin, effect.Place(context, twin).location, 1.0});
+  }
+  finding->confusable_with.insert(finding->confusable_with.begin(), twins.begin(), twins.end());
+}
+
 void AddConfusables(const JointModel& model, const LoopOutcome& outcome, DiagnosisResult* d) {
   const JointRows& fit = outcome.fit;
   const std::vector<std::vector<int>> groups = FindingGroups(fit.state.members);
@@ -163,6 +172,7 @@ void AddConfusables(const JointModel& model, const LoopOutcome& outcome, Diagnos
     const Member& first = fit.state.members[static_cast<std::size_t>(group.front())];
     Finding& finding = d->findings[at++];
     const std::vector<Item> others = add(own, BasisBeside(fit, geometry, first.item), &finding);
+    AddTwins(*fit.context, &finding);
     if (others.empty()) continue;
     if (elsewhere == nullptr) {
       elsewhere = std::make_unique<const Elsewhere>(model.calibration(),

@@ -1,6 +1,7 @@
 #include "problems/diagnosis/judge/doubtful.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <string>
@@ -26,6 +27,21 @@ bool IsAt(const Item& cell, int joint, const PhysicsContext& context) {
          std::find(cell.driven_by.begin(), cell.driven_by.end(), joint) != cell.driven_by.end();
 }
 
+/// A gear's flank that a joint's load decides.
+bool IsLoadedFlank(const Item& item) {
+  return item.kind == ItemKind::kEffect && item.request.setting("flank", 0) != 0;
+}
+
+/// True if a joint that yields to a load has a flank by the same load, too: with a load that is not
+/// quite known the sign is no more than a correction of its shape.
+bool CorrectsAShape(const std::vector<Member>& members, std::size_t m) {
+  if (!IsLoadedFlank(members[m].item)) return false;
+  return std::any_of(members.begin(), members.end(), [&](const Member& other) {
+    return other.item.elastic && !IsLoadedFlank(other.item) &&
+           other.item.request.joint == members[m].item.request.joint;
+  });
+}
+
 }  // namespace
 
 std::vector<int> DoubtfulMembers(const JointRows& fit) {
@@ -48,9 +64,10 @@ std::vector<int> DoubtfulMembers(const JointRows& fit) {
   std::vector<int> doubtful;
   for (std::size_t m = 0; m < members.size(); ++m) {
     const int joint = JointOfOwnAngle(members[m].item, *fit.context);
-    if (joint == 0 || members[m].given || unnamed.count(joint) == 0) continue;
-    if (unnamed[joint].norm() < kTuning.shadow * named[joint].norm()) continue;
-    doubtful.push_back(static_cast<int>(m));
+    if (members[m].given) continue;
+    const bool shadow = joint > 0 && unnamed.count(joint) > 0 &&
+                        unnamed[joint].norm() >= kTuning.shadow * named[joint].norm();
+    if (shadow || CorrectsAShape(members, m)) doubtful.push_back(static_cast<int>(m));
   }
   return doubtful;
 }
@@ -61,10 +78,14 @@ Item Unnamed(const Item& item, const PhysicsContext& context) {
   cell.kind = ItemKind::kCell;
   cell.cell = std::make_shared<const SlotColumns>(ColumnsOf(item, context));
   cell.slot = context.slots().Name(context.joint_slot(joint - 1));
-  cell.driver = fmt::format("q{}", joint);
-  cell.driven_by = {joint};
+  if (JointOfOwnAngle(item, context) > 0) {
+    cell.driver = fmt::format("q{}", joint);
+    cell.driven_by = {joint};
+    cell.driver_values = context.q(joint - 1);
+  } else {
+    cell.driver = FindEffect(item.request.effect)->Place(context, item.request).driver;
+  }
   cell.id = fmt::format("{} x {} ({})", cell.slot, cell.driver, item.id);
-  cell.driver_values = context.q(joint - 1);
   cell.request = EffectRequest();
   return cell;
 }

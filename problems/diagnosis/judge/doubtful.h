@@ -15,7 +15,8 @@
 namespace dhcal {
 
 /// Members (positions, ascending) driven by their own joint's angle, where the unnamed members at
-/// that joint's angle, or driven by it, move the readings at least `kTuning.shadow` times as far.
+/// that joint's angle, or driven by it, move the readings at least `kTuning.shadow` times as far;
+/// and a gear's flank by the load of a joint that yields to it, too.
 std::vector<int> DoubtfulMembers(const JointRows& fit);
 
 /// The same columns without the name.
