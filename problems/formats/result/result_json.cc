@@ -80,6 +80,17 @@ void SetSpectrum(const FitResult& fit, Json* entry) {
   if (!observability.empty()) (*entry)["observability"] = std::move(observability);
 }
 
+/// The lower triangle, row by row.
+Json CovarianceToJson(const Eigen::MatrixXd& covariance) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
+    std::vector<double> row;
+    for (Eigen::Index j = 0; j <= i; ++j) row.push_back(covariance(i, j));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 Json FitToJson(const FitResult& fit) {
   Json entry = {{"solver", ToString(fit.solver)},
                 {"converged", fit.converged},
@@ -104,6 +115,9 @@ Json FitToJson(const FitResult& fit) {
   if (fit.usable) {
     entry["parameters"] = ParametersToJson(fit.parameters);
     entry["null_space"] = NullSpaceToJson(fit.null_space);
+  }
+  if (fit.usable && fit.covariance.allFinite()) {
+    entry["covariance"] = CovarianceToJson(fit.covariance);
   }
   SetText("covariance_check", fit.covariance_check, &entry);
   Set("covariance_difference", fit.covariance_difference, &entry);
@@ -185,6 +199,9 @@ Json DeliveredToJson(const DeliveredModel& model) {
   object["effects"] = EffectsToJson(model.effects);
   object["parameters"] = ParametersToJson(model.fit.parameters);
   object["null_space"] = NullSpaceToJson(model.fit.null_space);
+  if (model.fit.covariance.allFinite()) {
+    object["covariance"] = CovarianceToJson(model.fit.covariance);
+  }
   return object;
 }
 
