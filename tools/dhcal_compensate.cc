@@ -28,7 +28,8 @@ constexpr char kHelp[] =
                     it is
   --predict         evaluate only: where the real robot's tool is at the table's joint coordinates
   --frame F         base (default: of the file's robot.base) or world (the measurement frame)
-  --seed_deg LIST   joint coordinates near all poses (deg; of slides mm): 0,-90,90,0,30,0
+  --seed_deg LIST   joint coordinates near the first pose (deg; of slides mm): 0,-90,90,0,30,0;
+                    each further pose is sought from the one before
   --result FILE     result.json for the expected errors; default: beside the model
   --out FILE        default: the terminal
   --data_dir DIR    what ${DHCAL_DATA} in a problem file stands for (default: the environment

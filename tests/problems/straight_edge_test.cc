@@ -9,8 +9,12 @@
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
 
+#include "core/base/rng.h"
+#include "core/solver/linearization.h"
 #include "problems/assembly.h"
+#include "problems/diagnosis/design_rows.h"
 #include "problems/fit_analysis.h"
+#include "problems/formats/result/result_writer.h"
 #include "problems/identify.h"
 #include "problems/noise.h"
 #include "problems/start.h"
@@ -19,6 +23,7 @@
 #include "tests/support/problem_cases.h"
 #include "tests/support/robots.h"
 #include "tests/support/sanitized.h"
+#include "tests/support/temp_folder.h"
 
 namespace dhcal {
 namespace {
@@ -69,6 +74,108 @@ TEST(StraightEdge, TheSimulatorReadsWhatTheIndependentHeadReads) {
     EXPECT_LT((recording.head.row(row).transpose() - numbers).norm(), 1e-12) << row;
     EXPECT_NEAR(numbers[1], 0.05, 0.06) << "the head is not over the edge in row " << row;
   }
+}
+
+TEST(StraightEdge, DerivativesByRowsAndToolEqualTheIndependentOnes) {
+  const ProblemSpec spec = LoadCase("kr15_edges");
+  const Recording rows = RecordingOf(spec);
+  independent::HeadTruth nominal;
+  nominal.delta = Eigen::VectorXd::Zero(42);
+  for (const Edge& edge : spec.robot.edges) nominal.edges[edge.name] = *edge.X_WE;
+  const Eigen::MatrixXd expected = independent::HeadJacobian(spec, nominal, rows);
+
+  const Calibration c(spec, rows);
+  ASSERT_EQ(3 * c.readings.fitted.size(), static_cast<std::size_t>(expected.rows()));
+  RowNoise unit;
+  unit.sigma = Eigen::VectorXd::Ones(rows.num_rows());
+  const auto& coordinates = spec.measurement.kind.coordinates;
+  Eigen::MatrixXd J(expected.rows(), static_cast<Eigen::Index>(c.parameters.size()));
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(J.cols());
+  ASSERT_TRUE(RowsOf(c, c.readings.fitted).Visit(zero, unit, [&](const TileRows& tile) {
+    const auto count = static_cast<Eigen::Index>(tile.readings.size());
+    for (Eigen::Index k = 0; k < tile.r().size(); ++k) {
+      const Eigen::Index coordinate = k / count;
+      const Eigen::Index row = 3 * tile.readings[static_cast<std::size_t>(k % count)] + coordinate;
+      J.row(row) = coordinates[static_cast<std::size_t>(coordinate)].noise * tile.J().row(k);
+    }
+  }));
+  // Columns there: theta, d, a, alpha of each joint (of joint 2 beta, too), then the tool.
+  Eigen::Index column = 0;
+  const SlotLayout slots(6);
+  const auto expect_column = [&](int slot, double unit_of_column) {
+    for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+      if (c.parameters[k].slot != slot) continue;
+      const Eigen::VectorXd own = unit_of_column * J.col(static_cast<Eigen::Index>(k));
+      EXPECT_LT((own - expected.col(column)).norm(), 1e-12) << c.parameters[k].name;
+    }
+    ++column;
+  };
+  for (int slot = 0; slot < slots.base(0); ++slot) {
+    const JointSlot number = SlotLayout::NumberAt(slot);
+    if (number == JointSlot::kBeta && SlotLayout::JointOf(slot) != 1) continue;
+    const bool length = number == JointSlot::kD || number == JointSlot::kA;
+    expect_column(slot, number == JointSlot::kTheta ? 3e-3 : length ? 5e-4 : 1e-3);
+  }
+  for (int slot = slots.tool(0); slot < slots.size(); ++slot) expect_column(slot, 5e-3);
+}
+
+TEST(StraightEdge, RowsOfTheDiagnosisAreThoseOfTheResidualBlocks) {
+  const ProblemSpec spec = LoadCase("kr15_edges");
+  const Recording recording = RecordingOf(spec);
+  const Calibration c(spec, recording);
+  const Noise noise{kCameraNoise, 1};
+  const Eigen::VectorXd state =
+      Eigen::VectorXd::Constant(static_cast<Eigen::Index>(c.parameters.size()), 1e-4);
+  CalibrationProblem problem(c, noise);
+  problem.set_state(state);
+  Linearization linear;
+  ASSERT_TRUE(Linearize(&problem, &linear));
+  const DesignRows rows(c, state, noise, c.readings.fitted);
+  const Eigen::MatrixXd J = rows.Geometry(c.parameters);
+  const Eigen::MatrixXd normal = linear.R.transpose() * linear.R;
+  EXPECT_LT((J.transpose() * J - normal).norm(), 1e-9 * normal.norm());
+  EXPECT_NEAR(rows.y().squaredNorm(), 2 * linear.cost, 1e-9 * linear.cost);
+  EXPECT_EQ(rows.degrees_of_freedom(), 3 * static_cast<int>(c.readings.fitted.size()));
+}
+
+TEST(StraightEdge, CalibratedEdgesReadBack) {
+  const TempFolder folder;
+  const ProblemSpec spec = LoadCase("kr15_edges");
+  RobotModel robot = spec.robot;
+  Rng rng(5);
+  for (Edge& edge : robot.edges) {
+    const Vector3d p(rng.Normal(), rng.Normal(), rng.Normal());
+    edge.X_WE = MakeFrame(p, 0.3 * p) * *edge.X_WE;
+  }
+  WriteFile(folder / "calibrated.yaml", CalibratedYaml(spec, robot, {}, "rows.csv"));
+  const ProblemSpec read = LoadProblem(folder / "calibrated.yaml");
+  ASSERT_EQ(read.robot.edges.size(), robot.edges.size());
+  for (std::size_t k = 0; k < robot.edges.size(); ++k) {
+    EXPECT_EQ(read.robot.edges[k].name, robot.edges[k].name);
+    EXPECT_EQ(read.robot.edges[k].X_WE->translation(), robot.edges[k].X_WE->translation());
+    EXPECT_LT((read.robot.edges[k].X_WE->linear() - robot.edges[k].X_WE->linear()).norm(), 1e-14);
+  }
+  EXPECT_DOUBLE_EQ(read.measurement.kind.coordinates[1].noise, 0.5);
+}
+
+TEST(StraightEdge, LeftOutPhysicsHasItsName) {
+  if (kSanitized) GTEST_SKIP() << "too slow with sanitizers; the other tests run the same code";
+  ProblemSpec spec = LoadCase("kr15_edges");
+  spec.robot.links.resize(6);
+  spec.robot.links[1] = {40, Vector3d(-0.3, 0, 0.1)};
+  spec.robot.links[3] = {25, Vector3d(0, 0, -0.2)};
+  spec.robot.payload = {8, Vector3d(0, 0, 0.1)};
+  EffectRequest compliance;
+  compliance.effect = "joint_compliance";
+  compliance.joint = 2;
+  compliance.values = {{"compliance", 8e-6}};
+  spec.simulate->effects = {compliance};
+  const DiagnosisResult diagnosis = Diagnosed(spec, RecordingOf(spec));
+  EXPECT_EQ(diagnosis.verdict, DiagnosisVerdict::kExplained) << diagnosis.summary;
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_EQ(diagnosis.findings[0].effect.effect, "joint_compliance");
+  EXPECT_EQ(diagnosis.findings[0].effect.joint, 2);
+  EXPECT_NEAR(diagnosis.findings[0].parameters[0].value / 8e-6, 1, 0.05);
 }
 
 TEST(StraightEdge, RankIsTheDerivedOne) {

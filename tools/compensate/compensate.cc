@@ -22,10 +22,10 @@ void Measure(const Eigen::Isometry3d& wanted, const Eigen::Isometry3d& reached, 
 
 std::vector<Command> Compensate(const RealArm& arm,
                                 const std::vector<Eigen::Isometry3d>& X_WQ,
-                                const Eigen::MatrixXd& seeds) {
+                                const Seeds& seeds) {
   const std::size_t num_rows = X_WQ.size();
   std::vector<Command> commands(num_rows);
-  Eigen::MatrixXd q = seeds;
+  Eigen::MatrixXd q = seeds.q;
   Eigen::MatrixXd deltas = arm.Deltas(q);
   // What a chain of few joints leaves of the orientation is no want of agreement.
   std::vector<double> left(num_rows, 0.0);
@@ -35,6 +35,7 @@ std::vector<Command> Compensate(const RealArm& arm,
     for (std::size_t row = 0; row < num_rows; ++row) {
       Command& command = commands[row];
       const auto at = static_cast<Eigen::Index>(row);
+      if (round == 0 && row > 0 && seeds.first_only) q.row(at) = q.row(at - 1);
       const InverseSolution solution = arm.inverse().Solve(
           X_WQ[row], arm.StateOf(deltas, static_cast<int>(row)), q.row(at).transpose());
       command.refusal = solution.reason;

@@ -24,11 +24,17 @@ struct Command {
 constexpr double kSettledPosition = 1e-9;  // [m]
 constexpr double kSettledRotation = 1e-9;  // [rad]
 
-/// One command per row of `X_WQ`; `seeds`, rows x joints, say on which branch the arm is. Effects
-/// depend on the command and the command on them: both are iterated until they agree.
+/// Where the search for commands starts, and so on which branch the arm is.
+struct Seeds {
+  Eigen::MatrixXd q;        // rows x joints
+  bool first_only = false;  // rows after the first start from the command before them
+};
+
+/// One command per row of `X_WQ`. Effects depend on the command and the command on them: both are
+/// iterated until they agree.
 std::vector<Command> Compensate(const RealArm& arm,
                                 const std::vector<Eigen::Isometry3d>& X_WQ,
-                                const Eigen::MatrixXd& seeds);
+                                const Seeds& seeds);
 
 }  // namespace dhcal
 

@@ -78,15 +78,17 @@ std::vector<Eigen::Isometry3d> NominalPoses(const ProblemSpec& nominal,
   return poses;
 }
 
-std::optional<Eigen::MatrixXd> SeedsOf(const Recording& rows,
-                                       const Eigen::VectorXd& first,
-                                       Diagnostics* diagnostics) {
-  if (rows.q.allFinite()) return rows.q;
-  if (first.size() == rows.q.cols()) return first.transpose().replicate(rows.num_rows(), 1);
+std::optional<Seeds> SeedsOf(const Recording& rows,
+                             const Eigen::VectorXd& first,
+                             Diagnostics* diagnostics) {
+  if (rows.q.allFinite()) return Seeds{rows.q, false};
+  if (first.size() == rows.q.cols()) {
+    return Seeds{first.transpose().replicate(rows.num_rows(), 1), true};
+  }
   diagnostics->Error(
       {rows.file},
       fmt::format("nothing says on which branch the arm is: give joint coordinates near each pose "
-                  "in columns q1_deg ... q{0}_deg, or near all of them with --seed_deg (of {0} "
+                  "in columns q1_deg ... q{0}_deg, or near the first with --seed_deg (of {0} "
                   "numbers)",
                   rows.q.cols()));
   return std::nullopt;

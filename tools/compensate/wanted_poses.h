@@ -33,11 +33,11 @@ std::vector<Eigen::Isometry3d> NominalPoses(const ProblemSpec& nominal,
                                             const Recording& rows,
                                             const std::vector<Eigen::Isometry3d>& bases);
 
-/// The table's joint coordinates where it has them, else those of the row above, from `first` on.
-/// Nothing, with an error added, where neither says on which branch the arm is.
-std::optional<Eigen::MatrixXd> SeedsOf(const Recording& rows,
-                                       const Eigen::VectorXd& first,
-                                       Diagnostics* diagnostics);
+/// The table's joint coordinates where it has them, else `first` for the first row. Nothing, with
+/// an error added, where neither says on which branch the arm is.
+std::optional<Seeds> SeedsOf(const Recording& rows,
+                             const Eigen::VectorXd& first,
+                             Diagnostics* diagnostics);
 
 /// `row q1_deg ... position_error_nm rotation_error_nrad [expected_error_mm] status`; refused rows
 /// have blank commands. `expected` may be empty.

@@ -293,6 +293,52 @@ TEST_F(CompensateProgram, RefusesRowsOneByOne) {
   EXPECT_EQ(table[3].back(), "ok");
 }
 
+TEST_F(CompensateProgram, FollowsAPathFromOneSeed) {
+  const RobotModel robot = ModelRobot();
+  VectorXd q(6);
+  q << 0.1, 1.2, -0.4, 0.2, 0.9, 0.1;
+  std::string text = "x_mm,y_mm,z_mm,qw,qx,qy,qz\n";
+  std::vector<Isometry3d> wanted;
+  // So long a way that from the seed alone the last poses would be found elsewhere, or not at all.
+  for (int k = 0; k < 30; ++k) {
+    q[0] += 0.04;
+    q[3] += 0.06;
+    q[5] -= 0.08;
+    Isometry3d X = Isometry3d::Identity();
+    X.matrix() = independent::ForwardKinematics<double>(
+        robot, q, VectorXd::Zero(42), Isometry3d::Identity(), robot.X_TQ);
+    wanted.push_back(X);
+    char line[300];
+    const Eigen::Quaterniond turn(X.linear());
+    std::snprintf(line,
+                  sizeof line,
+                  "%.12f,%.12f,%.12f,%.15f,%.15f,%.15f,%.15f\n",
+                  1e3 * X.translation().x(),
+                  1e3 * X.translation().y(),
+                  1e3 * X.translation().z(),
+                  turn.w(),
+                  turn.x(),
+                  turn.y(),
+                  turn.z());
+    text += line;
+  }
+  WriteFile(options_.poses, text);
+  options_.seed = "6,69,-23,11,52,6";
+  ASSERT_EQ(Run(), kCompensateOk) << messages_.str();
+  const auto table = Cells(out_.str());
+  VectorXd before;
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    const VectorXd command = JointsIn(table[k + 1]);
+    if (k > 0) {
+      EXPECT_LT((command - before).lpNorm<Eigen::Infinity>(), 0.1) << k;
+    }
+    before = command;
+    // The true arm has half its backlash the one or the other way; the table does not say which.
+    const Isometry3d reached = TruePose(robot, command, 0);
+    EXPECT_LT((reached.translation() - wanted[k].translation()).norm(), 2e-4);
+  }
+}
+
 TEST_F(CompensateProgram, SaysWhatIsWrongWithItsInput) {
   options_.model.clear();
   options_.frame = "tool";
