@@ -127,7 +127,7 @@ class StraightEdge final : public Measurement {
                    : Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   }
   Eigen::Vector3d Measured(const Reading& reading) const {
-    const Eigen::Vector3d now = recording().head.row(reading.row_idx);
+    Eigen::Vector3d now = recording().head.row(reading.row_idx);
     if (reading.previous_idx < 0) return now;
     return now - Eigen::Vector3d(recording().head.row(reading.previous_idx));
   }
