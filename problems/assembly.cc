@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include "problems/parameter_set.h"
@@ -14,11 +15,11 @@ namespace {
 // cost more than the kinematics, and a block stands for a stretch of readings.
 constexpr std::size_t kMostSingleBlocks = 2000;
 
-Scope ScopeOf(const Calibration& c, int run, int target) {
+Scope ScopeOf(const Calibration& c, const RowLabels& labels) {
   Scope scope;
-  scope.ends = c.frames.ends(run, target);
+  scope.ends = c.frames.ends(labels);
   for (std::size_t k = 0; k < c.parameters.size(); ++k) {
-    if (!c.parameters[k].scope.Holds(run, target)) continue;
+    if (!c.parameters[k].scope.Holds(labels)) continue;
     scope.parameters.push_back(static_cast<int>(k));
     scope.slots.push_back(c.parameters[k].slot);
   }
@@ -79,12 +80,12 @@ ReadingRows RowsOf(const Calibration& c, const std::vector<Reading>& readings) {
   model.measurement = c.measurement.get();
   model.num_unknowns = static_cast<int>(c.parameters.size());
   model.readings = readings;
-  std::map<std::pair<int, int>, int> scope_of;
+  std::map<std::tuple<int, int, int>, int> scope_of;
   for (int row = 0; row < c.recording.num_rows(); ++row) {
-    const int run = c.recording.run(row), target = c.Target(row);
-    const auto [entry, is_new] =
-        scope_of.try_emplace({run, target}, static_cast<int>(model.scopes.size()));
-    if (is_new) model.scopes.push_back(ScopeOf(c, run, target));
+    const RowLabels labels = c.Labels(row);
+    const auto [entry, is_new] = scope_of.try_emplace({labels.run, labels.target, labels.edge},
+                                                      static_cast<int>(model.scopes.size()));
+    if (is_new) model.scopes.push_back(ScopeOf(c, labels));
     model.scope_of_row.push_back(entry->second);
   }
   for (std::size_t k = 0; k < c.parameters.size(); ++k) {

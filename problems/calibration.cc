@@ -56,11 +56,7 @@ Calibration::Calibration(const ProblemSpec& problem_spec, const Recording& rows)
 std::vector<Eigen::Isometry3d> Calibration::BasesAt(const Eigen::VectorXd& state) const {
   Frames moved = frames;
   if (state.size() > 0) moved.Apply(parameters, state, chain.slots());
-  std::vector<Eigen::Isometry3d> bases;
-  for (std::size_t run = 0; run < moved.num_bases(); ++run) {
-    bases.push_back(moved.base(static_cast<int>(run)));
-  }
-  return bases;
+  return moved.bases();
 }
 
 PhysicsContext Calibration::Context() const {
@@ -125,11 +121,16 @@ int Calibration::Target(int row_idx) const {
   return static_cast<int>(found - targets.begin());
 }
 
+RowLabels Calibration::Labels(int row_idx) const {
+  // A row without an edge gives no reading along one: any will do.
+  return {recording.run(row_idx), Target(row_idx), std::max(recording.edge(row_idx), 0)};
+}
+
 Eigen::VectorXd Calibration::SlotDeltas(const Eigen::VectorXd& state, int row_idx) const {
-  const int run = recording.run(row_idx), target = Target(row_idx);
+  const RowLabels labels = Labels(row_idx);
   Eigen::VectorXd delta = Eigen::VectorXd::Zero(chain.slots().size());
   for (std::size_t k = 0; k < parameters.size(); ++k) {
-    if (!parameters[k].scope.Holds(run, target)) continue;
+    if (!parameters[k].scope.Holds(labels)) continue;
     const double value = state[static_cast<Eigen::Index>(k)];
     if (parameters[k].effect_column < 0) {
       delta[parameters[k].slot] += value;
@@ -155,7 +156,7 @@ bool Calibration::HasOwnSigma(int row_idx) const {
 Eigen::Isometry3d Calibration::Pose(const Eigen::VectorXd& state, int row_idx) const {
   return chain.Pose<double>(recording.q.row(row_idx).transpose(),
                             SlotDeltas(state, row_idx),
-                            frames.ends(recording.run(row_idx), Target(row_idx)));
+                            frames.ends(Labels(row_idx)));
 }
 
 }  // namespace dhcal

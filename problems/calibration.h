@@ -67,7 +67,9 @@ struct Calibration {
 
   /// Target of a row: index into spec.robot.targets, by its name; 0 without targets.
   int Target(int row_idx) const;
-  /// Slot perturbations of a row's run and target at a state.
+  /// What frames and parameters of a row may differ by.
+  RowLabels Labels(int row_idx) const;
+  /// Slot perturbations of a row at a state.
   Eigen::VectorXd SlotDeltas(const Eigen::VectorXd& state, int row_idx) const;
   /// Standard deviation of a row's coordinates [m].
   double RowSigma(int row_idx, const Noise& noise) const;

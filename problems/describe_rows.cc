@@ -49,6 +49,10 @@ RowResidual DescribeRow(const Calibration& c,
   const Eigen::Index lengths = c.measurement->kind().num_lengths();
   const Eigen::Index rotations = row.residual.size() - lengths;
   row.standardised.tail(rotations) = row.residual.tail(rotations) / noise.sigma_rotation;
+  const std::vector<MeasuredCoordinate>& coordinates = c.measurement->kind().coordinates;
+  for (std::size_t k = 0; k < coordinates.size(); ++k) {
+    row.standardised[static_cast<Eigen::Index>(k)] /= coordinates[k].noise;
+  }
   row.length = row.residual.head(lengths).norm();
   row.sigmas = row.standardised.lpNorm<Eigen::Infinity>();
   return row;

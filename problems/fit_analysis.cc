@@ -114,6 +114,7 @@ FitResult DescribeFit(const Calibration& c, const Fit& fit, const FitAnalysis* a
   result.null_space =
       ExplainNullSpace(identifiability.readings, c.parameters, c.spec.robot, c.measurement->kind());
   result.parameters = DescribeParameters(c, fit.summary.state, *analysis, result.null_space);
+  result.covariance = identifiability.covariance;
   result.covariance_check = analysis->covariance_check.sentence;
   result.covariance_difference = analysis->covariance_check.difference;
   return result;

@@ -1,6 +1,7 @@
 #include "problems/frames.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 namespace dhcal {
@@ -24,6 +25,33 @@ std::vector<Eigen::Isometry3d> PerRun(bool per_run,
   return frames;
 }
 
+/// X_EB of every edge of the recording; of one whose pose nobody knows X_WB.
+std::vector<Eigen::Isometry3d> PerEdge(const RobotModel& robot, const Recording& recording) {
+  std::vector<Eigen::Isometry3d> frames(std::max<std::size_t>(recording.edge_names.size(), 1),
+                                        robot.X_WB);
+  for (std::size_t edge = 0; edge < recording.edge_names.size(); ++edge) {
+    for (const Edge& known : robot.edges) {
+      if (known.name != recording.edge_names[edge] || !known.X_WE) continue;
+      frames[edge] = known.X_WE->inverse() * robot.X_WB;
+    }
+  }
+  return frames;
+}
+
+/// The edges of the file, those of the recording where these bases have them.
+void StorePerEdge(const std::vector<Eigen::Isometry3d>& bases,
+                  const Recording& recording,
+                  RobotModel* robot) {
+  for (std::size_t k = 0; k < recording.edge_names.size(); ++k) {
+    const std::string& name = recording.edge_names[k];
+    auto edge = std::find_if(robot->edges.begin(), robot->edges.end(), [&](const Edge& known) {
+      return known.name == name;
+    });
+    if (edge == robot->edges.end()) edge = robot->edges.insert(edge, Edge{name, std::nullopt});
+    edge->X_WE = robot->X_WB * bases[k].inverse();
+  }
+}
+
 std::vector<RunFrame> StorePerRun(const std::vector<Eigen::Isometry3d>& frames,
                                   const Recording& recording) {
   std::vector<RunFrame> stored;
@@ -36,9 +64,11 @@ std::vector<RunFrame> StorePerRun(const std::vector<Eigen::Isometry3d>& frames,
 }  // namespace
 
 Frames::Frames(const RobotModel& robot, const Recording& recording)
-    : base_per_run_(robot.base_per_run),
+    : base_per_edge_(robot.base_per_edge),
+      base_per_run_(robot.base_per_run),
       tool_per_run_(robot.tool_per_run),
-      bases_(PerRun(base_per_run_, robot.X_WB, robot.base_of_run, recording)),
+      bases_(base_per_edge_ ? PerEdge(robot, recording)
+                            : PerRun(base_per_run_, robot.X_WB, robot.base_of_run, recording)),
       tools_(PerRun(tool_per_run_, robot.X_TQ, robot.tool_of_run, recording)) {
   if (robot.targets.empty()) return;
   tools_.clear();
@@ -55,10 +85,9 @@ void Frames::Apply(const std::vector<Parameter>& parameters,
     const Parameter& p = parameters[k];
     const double value = state[static_cast<Eigen::Index>(k)];
     if (p.group == ParameterGroup::kBase) {
-      base_delta[BaseIndex(p.scope.run())][p.slot - slots.base(0)] = value;
+      base_delta[BaseIndex(p.scope.row())][p.slot - slots.base(0)] = value;
     } else if (p.group == ParameterGroup::kTool) {
-      const std::size_t idx = ToolIndex(p.scope.run(), p.scope.target());
-      tool_delta[idx][p.slot - slots.tool(0)] = value;
+      tool_delta[ToolIndex(p.scope.row())][p.slot - slots.tool(0)] = value;
     }
   }
   for (std::size_t k = 0; k < bases_.size(); ++k) {
@@ -70,7 +99,11 @@ void Frames::Apply(const std::vector<Parameter>& parameters,
 }
 
 void Frames::Store(const Recording& recording, RobotModel* robot) const {
-  robot->X_WB = bases_[0];
+  if (base_per_edge_) {
+    StorePerEdge(bases_, recording, robot);
+  } else {
+    robot->X_WB = bases_[0];
+  }
   if (base_per_run_) robot->base_of_run = StorePerRun(bases_, recording);
   if (tool_per_run_) robot->tool_of_run = StorePerRun(tools_, recording);
   if (robot->targets.empty()) {

@@ -1,4 +1,4 @@
-// The frames at the two ends of the chain: one base and one tool, or one per run or target.
+// The frames at the two ends of the chain: one base and one tool, or one per run, target or edge.
 #ifndef DHCAL_PROBLEMS_FRAMES_H_
 #define DHCAL_PROBLEMS_FRAMES_H_
 
@@ -18,16 +18,15 @@ class Frames {
   /// The nominal frames of the problem file.
   Frames(const RobotModel& robot, const Recording& recording);
 
-  /// Ends of the chain for rows of this run and target.
-  EndFrames ends(int run, int target) const { return {base(run), tool(run, target)}; }
-  const Eigen::Isometry3d& base(int run) const { return bases_[BaseIndex(run)]; }
-  const Eigen::Isometry3d& tool(int run, int target) const {
-    return tools_[ToolIndex(run, target)];
-  }
-  Eigen::Isometry3d& mutable_base(int run) { return bases_[BaseIndex(run)]; }
-  Eigen::Isometry3d& mutable_tool(int run, int target) { return tools_[ToolIndex(run, target)]; }
+  /// Ends of the chain for rows with these labels.
+  EndFrames ends(const RowLabels& row) const { return {base(row), tool(row)}; }
+  const Eigen::Isometry3d& base(const RowLabels& row) const { return bases_[BaseIndex(row)]; }
+  const Eigen::Isometry3d& tool(const RowLabels& row) const { return tools_[ToolIndex(row)]; }
+  Eigen::Isometry3d& mutable_base(const RowLabels& row) { return bases_[BaseIndex(row)]; }
+  Eigen::Isometry3d& mutable_tool(const RowLabels& row) { return tools_[ToolIndex(row)]; }
 
-  std::size_t num_bases() const { return bases_.size(); }
+  /// One, or one per run or edge of the recording.
+  const std::vector<Eigen::Isometry3d>& bases() const { return bases_; }
   bool base_per_run() const { return base_per_run_; }
   bool tool_per_run() const { return tool_per_run_; }
 
@@ -40,12 +39,16 @@ class Frames {
   void Store(const Recording& recording, RobotModel* robot) const;
 
  private:
-  std::size_t BaseIndex(int run) const { return base_per_run_ ? static_cast<std::size_t>(run) : 0; }
-  std::size_t ToolIndex(int run, int target) const {
-    if (tool_per_run_) return static_cast<std::size_t>(run);
-    return tools_.size() > 1 ? static_cast<std::size_t>(target) : 0;
+  std::size_t BaseIndex(const RowLabels& row) const {
+    if (base_per_edge_) return static_cast<std::size_t>(row.edge);
+    return base_per_run_ ? static_cast<std::size_t>(row.run) : 0;
+  }
+  std::size_t ToolIndex(const RowLabels& row) const {
+    if (tool_per_run_) return static_cast<std::size_t>(row.run);
+    return tools_.size() > 1 ? static_cast<std::size_t>(row.target) : 0;
   }
 
+  bool base_per_edge_;
   bool base_per_run_;
   bool tool_per_run_;
   std::vector<Eigen::Isometry3d> bases_;

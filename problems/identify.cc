@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -50,8 +51,8 @@ void AddNotes(const Calibration& c, const std::vector<Fit>& fits, Result* result
   if (c.measurement->kind().pairs && c.spec.measurement.noise == NoiseKind::kIndependent &&
       c.recording.displacement.rows() == 0) {
     result->notes.push_back(
-        "Differences were taken from measured positions, so each position's error enters two of "
-        "them; 'noise: shared_pose' would weigh that exactly.");
+        "Differences were taken from readings of single poses, so each reading's error enters two "
+        "of them; 'noise: shared_pose' would weigh that exactly.");
   }
   if (result->base_and_tool_only && result->base_and_tool_only->rms > kNotThisRobot) {
     result->notes.push_back(fmt::format(
@@ -64,6 +65,18 @@ void AddNotes(const Calibration& c, const std::vector<Fit>& fits, Result* result
   result->notes.push_back(
       "A common scale error of all lengths (instrument, ruler or temperature) cannot be told from "
       "a robot that is larger or smaller by the same factor.");
+}
+
+/// False where an edge stands nobody knows where before the readings are looked at.
+bool HasAllFrames(const ProblemSpec& spec, const Recording& recording) {
+  if (!spec.robot.base_per_edge) return true;
+  const auto& edges = spec.robot.edges;
+  return std::all_of(
+      recording.edge_names.begin(), recording.edge_names.end(), [&](const std::string& name) {
+        return std::any_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+          return edge.name == name && edge.X_WE;
+        });
+      });
 }
 
 /// Analyses and describes each fit; the first usable one is the answer.
@@ -112,8 +125,9 @@ void CheckEnoughReadings(const ProblemSpec& spec,
   } else if (c.readings.fitted.empty() && spec.measurement.kind.pairs) {
     diagnostics->Error(
         {recording.file, 0, 0},
-        "no two consecutive rows share run, target and set, so there is no displacement to fit; "
-        "give rows that follow each other the same run and target, and mark whole runs or "
+        "no two consecutive rows share run, target, edge and set, so there is no difference to "
+        "fit; "
+        "give rows that follow each other the same run, target and edge, and mark whole runs or "
         "stretches of rows 'test', not single rows");
   } else if (numbers < unknowns) {
     diagnostics->Error(
@@ -150,8 +164,10 @@ Result IdentifyGeometry(const ProblemSpec& spec,
   }
   result.calibrated = spec.robot;
   result.noise_source = SourceOfNoise(c).description;
-  result.nominal =
-      BaselineOf(c, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(c.parameters.size())));
+  if (HasAllFrames(spec, recording)) {
+    result.nominal =
+        BaselineOf(c, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(c.parameters.size())));
+  }
 
   AlignStart(&c);
   if (const auto frames_alone = FitFramesAlone(&c, progress)) {

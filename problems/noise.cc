@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "core/math/statistics.h"
 #include "core/solver/linearization.h"
@@ -92,6 +95,13 @@ NoiseSource SourceOfNoise(const Calibration& c) {
   source.description = per_row              ? "given per row"
                        : source.sigma_given ? "given"
                                             : "estimated from the residuals";
+  std::string others;
+  for (const MeasuredCoordinate& coordinate : c.measurement->kind().coordinates) {
+    if (coordinate.noise == 1) continue;
+    others +=
+        fmt::format("{}{} {:.3g}", others.empty() ? "; " : ", ", coordinate.name, coordinate.noise);
+  }
+  if (!others.empty()) source.description += others + " of it";
   return source;
 }
 

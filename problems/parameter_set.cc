@@ -53,12 +53,21 @@ std::vector<Parameter> AllParameters(const RobotModel& robot, const Recording& r
   }
   const std::vector<std::string> runs =
       recording.run_names.empty() ? std::vector<std::string>{"1"} : recording.run_names;
-  AddFrame(slots,
-           slots.base(0),
-           ParameterGroup::kBase,
-           robot.base_per_run ? runs : std::vector<std::string>(),
-           ParameterScope::Kind::kRun,
-           &all);
+  if (robot.base_per_edge) {
+    AddFrame(slots,
+             slots.base(0),
+             ParameterGroup::kBase,
+             recording.edge_names,
+             ParameterScope::Kind::kEdge,
+             &all);
+  } else {
+    AddFrame(slots,
+             slots.base(0),
+             ParameterGroup::kBase,
+             robot.base_per_run ? runs : std::vector<std::string>(),
+             ParameterScope::Kind::kRun,
+             &all);
+  }
   std::vector<std::string> targets;
   for (const Target& target : robot.targets) targets.push_back(target.name);
   if (robot.tool_per_run) {

@@ -25,7 +25,7 @@ double DefaultTolerance(ParameterGroup group, Unit unit);
 double CorrectionLimit(const Parameter& parameter);
 
 /// Parameters in the paper's order: theta, alpha, a, d, then beta, base, tool. Base and tool have
-/// one set per run, or per target, where the robot says so ("base_x.run2", "tool_z.A").
+/// one set per run, target or edge, where the robot says so ("base_x.run2", "tool_z.A").
 ParameterSet ResolveParameters(const ProblemSpec& spec, const Recording& recording);
 
 /// The unknown of an effect's column; tolerance = several times the typical size.

@@ -13,8 +13,7 @@ double JointRow::*NumberOfRow(const Parameter& p) {
 }
 
 const Eigen::Isometry3d& FrameOf(const Frames& frames, const Parameter& p) {
-  return p.group == ParameterGroup::kBase ? frames.base(p.scope.run())
-                                          : frames.tool(p.scope.run(), p.scope.target());
+  return p.group == ParameterGroup::kBase ? frames.base(p.scope.row()) : frames.tool(p.scope.row());
 }
 
 int Component(const RobotModel& robot, const Parameter& p) {

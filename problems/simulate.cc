@@ -10,10 +10,13 @@
 #include <glog/logging.h>
 
 #include "core/base/rng.h"
+#include "core/base/text.h"
 #include "core/kinematics/dh_chain.h"
 #include "core/model/joint_numbers.h"
 #include "core/physics/registry.h"
 #include "problems/formats/recording/recording_reader.h"
+#include "problems/frames.h"
+#include "problems/line_motion.h"
 #include "residuals/registry.h"
 
 namespace dhcal {
@@ -23,10 +26,12 @@ namespace {
 /// temperature, directions, speeds, torques, runs), which effects may need.
 std::optional<Recording> Motion(const ProblemSpec& spec, Rng* rng, Diagnostics* diagnostics) {
   const MotionSpec& motion = spec.simulate->motion;
+  if (motion.kind == MotionKind::kLine) return LineMotion(spec, rng, diagnostics);
   if (motion.kind == MotionKind::kFile) {
     std::optional<Recording> file = ReadRecording(motion.file, spec.robot.joints, diagnostics);
     if (!file) return std::nullopt;
-    for (Eigen::MatrixXd* const measured : {&file->p_WQ, &file->displacement, &file->quaternion}) {
+    for (Eigen::MatrixXd* const measured :
+         {&file->p_WQ, &file->displacement, &file->quaternion, &file->head}) {
       measured->resize(0, 0);
     }
     file->distance.resize(0);
@@ -72,14 +77,22 @@ Recording OnEveryTarget(const Recording& motion, const RobotModel& robot) {
   }
   for (ExtraColumn& column : rows.extra) column.values = Repeated(column.values, num_targets);
   rows.run_idx.clear();
+  rows.edge_idx.clear();
   rows.is_test.clear();
   for (int k = 0; k < rows.num_rows(); ++k) {
     const auto pose = static_cast<std::size_t>(k / num_targets);
     rows.target_idx.push_back(k % num_targets);
     if (!motion.run_idx.empty()) rows.run_idx.push_back(motion.run_idx[pose]);
+    if (!motion.edge_idx.empty()) rows.edge_idx.push_back(motion.edge_idx[pose]);
     if (!motion.is_test.empty()) rows.is_test.push_back(motion.is_test[pose]);
   }
   return rows;
+}
+
+/// Simulated runs share one base; edges have one each.
+std::vector<Eigen::Isometry3d> BasesOf(const RobotModel& robot, const Recording& rows) {
+  if (!robot.base_per_edge) return {robot.X_WB};
+  return Frames(robot, rows).bases();
 }
 
 /// Slot perturbations of every row by the effects put in (slots x rows), which load the arm that
@@ -88,7 +101,7 @@ std::optional<Eigen::MatrixXd> EffectSlots(const ProblemSpec& spec,
                                            const Recording& rows,
                                            const Eigen::MatrixXd& arm,
                                            Diagnostics* diagnostics) {
-  const PhysicsContext context(spec.robot, rows, {spec.robot.X_WB}, arm);
+  const PhysicsContext context(spec.robot, rows, BasesOf(spec.robot, rows), arm);
   Eigen::MatrixXd delta = Eigen::MatrixXd::Zero(context.slots().size(), rows.num_rows());
   bool ok = true;
   const auto refuse = [&](const EffectRequest& request, const std::string& reason) {
@@ -122,6 +135,54 @@ std::optional<Eigen::MatrixXd> EffectSlots(const ProblemSpec& spec,
   return delta;
 }
 
+/// Gives every row an edge of the file: that of the motion file, else stretches of rows the edges
+/// in turn. False, with an error added, where an edge has no pose to simulate at.
+bool LabelEdges(const ProblemSpec& spec, Recording* rows, Diagnostics* diagnostics) {
+  const std::vector<Edge>& edges = spec.robot.edges;
+  if (rows->edge_idx.empty() && !edges.empty()) {
+    for (const Edge& edge : edges) rows->edge_names.push_back(edge.name);
+    const auto num_edges = static_cast<int>(edges.size());
+    for (int row = 0; row < rows->num_rows(); ++row) {
+      rows->edge_idx.push_back(row * num_edges / rows->num_rows());
+    }
+  }
+  std::vector<std::string> missing;
+  for (const std::string& name : rows->edge_names) {
+    const bool known = std::any_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+      return edge.name == name && edge.X_WE;
+    });
+    if (!known) missing.push_back(name);
+  }
+  if (!rows->edge_names.empty() && missing.empty()) return true;
+  diagnostics->Error(
+      spec.measurement.where,
+      fmt::format("a simulation needs the pose of every edge; give 'measurement.edges' {}",
+                  missing.empty() ? "at least one with its pose"
+                                  : "the pose of " + QuotedList(missing, "and")));
+  return false;
+}
+
+/// The frames at both ends of the chain of every row; errors of the base that all edges see alike
+/// move from `errors` into them.
+std::vector<EndFrames> EndsOfRows(const RobotModel& nominal,
+                                  const Recording& rows,
+                                  Eigen::VectorXd* errors) {
+  RobotModel robot = nominal;
+  // Simulated runs share one base.
+  robot.base_per_run = robot.tool_per_run = false;
+  if (robot.base_per_edge) {
+    auto base = errors->segment<6>(SlotLayout(robot.num_joints()).base(0));
+    robot.X_WB = PerturbFrame<double>(robot.X_WB, base);
+    base.setZero();
+  }
+  const Frames frames(robot, rows);
+  std::vector<EndFrames> ends;
+  for (int row = 0; row < rows.num_rows(); ++row) {
+    ends.push_back(frames.ends({rows.run(row), rows.target(row), std::max(rows.edge(row), 0)}));
+  }
+  return ends;
+}
+
 }  // namespace
 
 Eigen::VectorXd ErrorSlots(const RobotModel& robot, const SimulationSpec& simulation) {
@@ -145,23 +206,23 @@ std::optional<Recording> SimulateRecording(const ProblemSpec& spec, Diagnostics*
   if (!motion) return std::nullopt;
 
   const RobotModel& robot = spec.robot;
-  const DhChain chain(robot);
-  const Eigen::VectorXd errors = ErrorSlots(robot, *spec.simulate);
   Recording recording = OnEveryTarget(*motion, robot);
   recording.file = spec.file;
+  if (robot.base_per_edge && !LabelEdges(spec, &recording, diagnostics)) return std::nullopt;
+  Eigen::VectorXd errors = ErrorSlots(robot, *spec.simulate);
+  const std::vector<EndFrames> ends = EndsOfRows(robot, recording, &errors);
   Eigen::MatrixXd arm = errors.replicate(1, recording.num_rows());
   for (int turn = 0; turn < kBends; ++turn) {
     const std::optional<Eigen::MatrixXd> physics = EffectSlots(spec, recording, arm, diagnostics);
     if (!physics) return std::nullopt;
     arm = physics->colwise() + errors;
   }
+  const DhChain chain(robot);
   std::vector<Eigen::Isometry3d> X_WQ;
   for (int row_idx = 0; row_idx < recording.num_rows(); ++row_idx) {
-    const auto target = static_cast<std::size_t>(recording.target(row_idx));
-    const EndFrames ends{robot.X_WB,
-                         robot.targets.empty() ? robot.X_TQ : robot.targets[target].X_TQ};
-    X_WQ.push_back(
-        chain.Pose<double>(recording.q.row(row_idx).transpose(), arm.col(row_idx), ends));
+    X_WQ.push_back(chain.Pose<double>(recording.q.row(row_idx).transpose(),
+                                      arm.col(row_idx),
+                                      ends[static_cast<std::size_t>(row_idx)]));
   }
   const ReadingNoise noise{spec.simulate->noise, spec.simulate->noise_rotation};
   FindMeasurementType(spec.measurement.kind.name)

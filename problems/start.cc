@@ -5,6 +5,7 @@
 
 #include <Eigen/SVD>
 
+#include "problems/edge_start.h"
 #include "problems/noise.h"
 
 namespace dhcal {
@@ -17,10 +18,10 @@ Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& M) {
   return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
 }
 
-/// All six parameters of the group are free for this run and target, and none has a prior.
-bool IsFree(const Calibration& c, ParameterGroup group, int run, int target) {
+/// All six parameters of the group are free for rows with these labels, and none has a prior.
+bool IsFree(const Calibration& c, ParameterGroup group, const RowLabels& labels) {
   const auto free = [&](const Parameter& p) {
-    return p.group == group && p.scope.Holds(run, target) && !p.prior_sigma;
+    return p.group == group && p.scope.Holds(labels) && !p.prior_sigma;
   };
   return std::count_if(c.parameters.begin(), c.parameters.end(), free) == SlotLayout::kPerFrame;
 }
@@ -37,7 +38,7 @@ Eigen::Matrix3Xd Columns(const std::vector<Eigen::Vector3d>& points) {
 Eigen::Isometry3d PoseInBase(const Calibration& c, int row_idx) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(c.chain.slots().size());
   return c.chain.FlangePose(c.recording.q.row(row_idx).transpose(), zero) *
-         c.frames.tool(c.recording.run(row_idx), c.Target(row_idx));
+         c.frames.tool(c.Labels(row_idx));
 }
 
 void AlignBase(int run, Calibration* c) {
@@ -56,36 +57,37 @@ void AlignBase(int run, Calibration* c) {
   }
   if (in_base.empty()) return;
   if (differences) {
-    c->frames.mutable_base(run).linear() = AlignVectors(Columns(in_base), Columns(in_world));
+    c->frames.mutable_base({run}).linear() = AlignVectors(Columns(in_base), Columns(in_world));
   } else {
-    c->frames.mutable_base(run) = AlignPoints(Columns(in_base), Columns(in_world));
+    c->frames.mutable_base({run}) = AlignPoints(Columns(in_base), Columns(in_world));
   }
 }
 
 void AlignToolRotation(int run, int target, Calibration* c) {
   std::vector<Eigen::Matrix3d> rotations;
   for (const Reading& reading : c->readings.fitted) {
-    const int row_run = c->recording.run(reading.row_idx);
-    if (c->frames.tool_per_run() && row_run != run) continue;
-    if (!c->spec.robot.targets.empty() && c->Target(reading.row_idx) != target) continue;
-    const Eigen::Isometry3d X_WT = c->frames.base(row_run) * PoseInBase(*c, reading.row_idx) *
-                                   c->frames.tool(row_run, target).inverse();
+    const RowLabels labels = c->Labels(reading.row_idx);
+    if (c->frames.tool_per_run() && labels.run != run) continue;
+    if (!c->spec.robot.targets.empty() && labels.target != target) continue;
+    const Eigen::Isometry3d X_WT =
+        c->frames.base(labels) * PoseInBase(*c, reading.row_idx) * c->frames.tool(labels).inverse();
     rotations.push_back(X_WT.linear().transpose() * c->measurement->Orientation(reading));
   }
-  if (!rotations.empty()) c->frames.mutable_tool(run, target).linear() = MeanRotation(rotations);
+  if (!rotations.empty()) c->frames.mutable_tool({run, target}).linear() = MeanRotation(rotations);
 }
 
 void AlignFrames(Calibration* c) {
+  if (c->measurement->kind().edges) return AlignEdges(c);
   if (!c->measurement->kind().is_point()) return;
   const int num_runs = std::max<int>(static_cast<int>(c->recording.run_names.size()), 1);
   const int num_targets = std::max<int>(static_cast<int>(c->spec.robot.targets.size()), 1);
   for (int run = 0; run < (c->frames.base_per_run() ? num_runs : 1); ++run) {
-    if (IsFree(*c, ParameterGroup::kBase, run, 0)) AlignBase(run, c);
+    if (IsFree(*c, ParameterGroup::kBase, {run})) AlignBase(run, c);
   }
   if (!c->measurement->kind().sees_orientation()) return;
   for (int run = 0; run < (c->frames.tool_per_run() ? num_runs : 1); ++run) {
     for (int target = 0; target < num_targets; ++target) {
-      if (IsFree(*c, ParameterGroup::kTool, run, target)) AlignToolRotation(run, target, c);
+      if (IsFree(*c, ParameterGroup::kTool, {run, target})) AlignToolRotation(run, target, c);
     }
   }
 }

@@ -26,8 +26,8 @@ Eigen::Matrix3d AlignVectors(const Eigen::Matrix3Xd& v_B, const Eigen::Matrix3Xd
 Eigen::Matrix3d MeanRotation(const std::vector<Eigen::Matrix3d>& rotations);
 
 /// Moves every base (and, where orientations are measured, tool rotation) whose six parameters are
-/// all estimated without a prior to its closed-form alignment with the fitted readings. Distances
-/// have none: they start from the file's base.
+/// all estimated without a prior to its closed-form alignment with the fitted readings (along
+/// edges: problems/edge_start.h). Distances have none: they start from the file's base.
 void AlignStart(Calibration* calibration);
 
 /// Fits base and tool alone and makes the outcome the start of the full fit (not where a prior

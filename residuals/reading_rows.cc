@@ -66,7 +66,7 @@ void ReadingRows::MakeKernels() {
       of_scope.column_of_slot[static_cast<std::size_t>(slots[k])] = static_cast<int>(k);
     }
     of_scope.kernel = std::make_unique<PoseTileKernel>(
-        *model_.robot, std::move(slots), model_.measurement->kind().sees_orientation());
+        *model_.robot, std::move(slots), model_.measurement->kind().turns_show());
     kernels_.push_back(std::move(of_scope));
   }
 }
@@ -182,7 +182,7 @@ void ReadingRows::EvaluatePoses(const Tile& tile, const VectorXd& x, Workspace* 
     }
   }
 
-  const bool turns = model_.measurement->kind().sees_orientation();
+  const bool turns = model_.measurement->kind().turns_show();
   work->seen.resize(tile.rows.size());
   for (std::size_t i = 0; i < tile.rows.size(); ++i) {
     const auto pose = static_cast<Index>(i);
@@ -216,7 +216,8 @@ bool ReadingRows::Compare(const Tile& tile,
     const double by_length = noise.shared ? 1 : 1 / noise.sigma[reading.row_idx];
     for (Index c = 0; c < num_coordinates; ++c) {
       const bool length = coordinates[static_cast<std::size_t>(c)].unit == Unit::kMetre;
-      const double over_sigma = length ? by_length : 1 / noise.sigma_rotation;
+      const double over_sigma = (length ? by_length : 1 / noise.sigma_rotation) /
+                                coordinates[static_cast<std::size_t>(c)].noise;
       r[c * count + i] = over_sigma * comparison.difference[c];
       work->by_now.row(i).segment<6>(c * 6) = over_sigma * comparison.by_now.row(c);
       if (pairs)
@@ -263,7 +264,7 @@ void ReadingRows::AddTwists(const Tile& tile,
       }
     }
   };
-  const Index components = model_.measurement->kind().sees_orientation() ? 6 : 3;
+  const Index components = model_.measurement->kind().turns_show() ? 6 : 3;
   for (Index coordinate = 0; coordinate < num_coordinates; ++coordinate) {
     for (Index component = 0; component < components; ++component) {
       add(work.by_now, tile.now, coordinate, component, component == 0);

@@ -1,7 +1,7 @@
 #include "residuals/readings.h"
 
 #include <map>
-#include <utility>
+#include <tuple>
 
 namespace dhcal {
 namespace {
@@ -11,11 +11,12 @@ Readings CollectPairs(const Measurement& measurement, const Recording& recording
   const auto add = [&](const Reading& reading, bool test) {
     (test ? readings.test : readings.fitted).push_back(reading);
   };
-  // The latest row of each run and target that a later one may be paired with.
-  std::map<std::pair<int, int>, int> latest;
+  // The latest row of each run, target and edge that a later one may be paired with.
+  std::map<std::tuple<int, int, int>, int> latest;
   for (int row_idx = 0; row_idx < recording.num_rows(); ++row_idx) {
     if (!measurement.CanPrecede(row_idx)) continue;
-    const auto series = std::make_pair(recording.run(row_idx), recording.target(row_idx));
+    const auto series =
+        std::make_tuple(recording.run(row_idx), recording.target(row_idx), recording.edge(row_idx));
     const auto before = latest.find(series);
     if (before == latest.end()) {
       const bool known = recording.p_WQ.rows() > 0 && recording.p_WQ.row(row_idx).allFinite();

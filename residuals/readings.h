@@ -8,9 +8,9 @@
 
 namespace dhcal {
 
-/// Rows whose cells for this kind are blank give no reading. A pair is of one run and one target;
-/// it is fitted only if no row of it is a test row. `anchored`: the first row of each run and
-/// target is read by itself, too, where its position is known.
+/// Rows whose cells for this kind are blank give no reading. A pair is of one run, one target and
+/// one edge; it is fitted only if no row of it is a test row. `anchored`: the first row of each run
+/// and target is read by itself, too, where its position is known.
 Readings CollectReadings(const Measurement& measurement, const Recording& recording, bool anchored);
 
 }  // namespace dhcal

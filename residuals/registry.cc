@@ -9,7 +9,8 @@ namespace dhcal {
   DHCAL_KIND(AdjacentPositionMeasurement) \
   DHCAL_KIND(PositionMeasurement)         \
   DHCAL_KIND(PoseMeasurement)             \
-  DHCAL_KIND(DistanceMeasurement)
+  DHCAL_KIND(DistanceMeasurement)         \
+  DHCAL_KIND(StraightEdgeMeasurement)
 
 #define DHCAL_DECLARE(name) const MeasurementType& name();
 DHCAL_KIND_LIST(DHCAL_DECLARE)

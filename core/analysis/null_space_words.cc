@@ -130,7 +130,9 @@ struct PointMove {
 std::vector<Eigen::Isometry3d> Tools(const RobotModel& robot, const Parameter& parameter) {
   std::vector<Eigen::Isometry3d> tools;
   for (std::size_t k = 0; k < robot.targets.size(); ++k) {
-    if (!parameter.scope.Holds(parameter.scope.run(), static_cast<int>(k))) continue;
+    RowLabels row = parameter.scope.row();
+    row.target = static_cast<int>(k);
+    if (!parameter.scope.Holds(row)) continue;
     tools.push_back(robot.targets[k].X_TQ);
   }
   for (const RunFrame& frame : robot.tool_of_run) tools.push_back(frame.X);
@@ -173,7 +175,12 @@ std::string GeometryHides(const RobotModel& robot,
                           const MeasurementKind& kind,
                           const Parameter& parameter) {
   // A measured orientation shows every turn, and a length moves the point itself.
-  if (parameter.slot < 0 || kind.sees_orientation()) return "";
+  if (parameter.slot < 0) return "";
+  for (const HiddenFreedom& hidden : kind.hidden) {
+    const int slot = SlotLayout(robot.num_joints()).base(hidden.base_component);
+    if (parameter.group == ParameterGroup::kBase && parameter.slot == slot) return hidden.why;
+  }
+  if (kind.turns_show()) return "";
   const PointMove seen = MoveBy(robot, parameter);
   if (parameter.unit == Unit::kRadian) {
     if (seen.move > kNothing * seen.reach) return "";

@@ -166,18 +166,11 @@ void YamlMap::Read(const std::string& stem,
   if (read) *numbers = *read * found->to_si;
 }
 
-int YamlMap::ChooseWord(const YamlValue& value,
-                        const std::vector<std::string>& words,
-                        const std::vector<std::string>& later) {
+int YamlMap::ChooseWord(const YamlValue& value, const std::vector<std::string>& words) {
   const std::optional<std::string> text = value.Text();
   if (!text) return -1;
   const auto found = std::find(words.begin(), words.end(), *text);
   if (found != words.end()) return static_cast<int>(found - words.begin());
-  if (std::find(later.begin(), later.end(), *text) != later.end()) {
-    value.Error(fmt::format(
-        "is '{}', which this version does not support; use {}", *text, QuotedList(words)));
-    return -1;
-  }
   const std::string nearest = NearestName(*text, words);
   value.Error(fmt::format("is '{}', but {} is expected{}",
                           Printable(*text),

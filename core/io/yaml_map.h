@@ -75,19 +75,17 @@ class YamlMap {
             int length,
             Eigen::VectorXd* numbers);
 
-  /// One of a few words; true when it was read. `later` names words that this version refuses
-  /// although the format has them.
+  /// One of a few words; true when it was read.
   template <typename Enum>
   bool ReadChoice(const std::string& key,
                   const std::vector<std::pair<std::string, Enum>>& words,
-                  Enum* choice,
-                  const std::vector<std::string>& later = {}) {
+                  Enum* choice) {
     const std::optional<YamlValue> found = Find(key);
     if (!found) return false;
     std::vector<std::string> names;
     names.reserve(words.size());
     for (const auto& word : words) names.push_back(word.first);
-    const int idx = ChooseWord(*found, names, later);
+    const int idx = ChooseWord(*found, names);
     if (idx >= 0) *choice = words[idx].second;
     return idx >= 0;
   }
@@ -116,9 +114,7 @@ class YamlMap {
   std::optional<YamlValue> ValueOf(const Entry& entry) const;
   void ReportSameQuantity(const Entry& first, const Entry& second) const;
 
-  static int ChooseWord(const YamlValue& value,
-                        const std::vector<std::string>& words,
-                        const std::vector<std::string>& later);
+  static int ChooseWord(const YamlValue& value, const std::vector<std::string>& words);
 
   YamlValue value_;
   std::vector<Entry> entries_;

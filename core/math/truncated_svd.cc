@@ -29,8 +29,12 @@ TruncatedSvd DecomposeScaled(const Eigen::MatrixXd& J, const Eigen::VectorXd& sc
   // Jacobi rotations: the small singular values decide the rank and must be accurate. Of hundreds
   // of columns (runs, curves) they take seconds, and divide and conquer is accurate to rounding of
   // the largest value, which the rows themselves are no better than.
-  if (J.cols() < kMany) return Kept(Eigen::JacobiSVD<Eigen::MatrixXd>(scaled, kThin), scale);
-  return Kept(Eigen::BDCSVD<Eigen::MatrixXd>(scaled, kThin), scale);
+  if (J.cols() >= kMany) {
+    TruncatedSvd divided = Kept(Eigen::BDCSVD<Eigen::MatrixXd>(scaled, kThin), scale);
+    // Eigen 3.4's divides by zero for some matrices with columns that are zero but for rounding.
+    if (divided.U.allFinite() && divided.s.allFinite() && divided.V.allFinite()) return divided;
+  }
+  return Kept(Eigen::JacobiSVD<Eigen::MatrixXd>(scaled, kThin), scale);
 }
 
 void SetCut(double cut, TruncatedSvd* svd) {

@@ -15,6 +15,14 @@ namespace dhcal {
 struct MeasuredCoordinate {
   std::string name;  // "x", "rx", "distance"
   Unit unit = Unit::kMetre;
+  /// Its standard deviation, in those of the reading: sensors of a head may differ.
+  double noise = 1;
+};
+
+/// A freedom of the base that no reading of a kind shows.
+struct HiddenFreedom {
+  int base_component = 0;  // 0..5: x y z rx ry rz
+  std::string why;         // follows the parameter's name
 };
 
 struct MeasurementKind {
@@ -28,6 +36,13 @@ struct MeasurementKind {
   bool sees_offset = true;
   /// Needs `anchors` in the problem file and the column `anchor`.
   bool anchors = false;
+  /// Reads along straight edges: needs `head` in the problem file and the column `edge`, and every
+  /// edge is a measurement frame of its own.
+  bool edges = false;
+  /// The coordinates are read at different points of the tool: they are no components of one 3-D
+  /// error, and turns of the tool about Q show.
+  bool several_points = false;
+  std::vector<HiddenFreedom> hidden;
   /// May the readings of a pair share a pose's error (noise: shared_pose)?
   bool shared_noise = false;
 
@@ -38,10 +53,12 @@ struct MeasurementKind {
     for (const MeasuredCoordinate& c : coordinates) count += c.unit == Unit::kMetre ? 1 : 0;
     return count;
   }
-  /// Turns of the tool about the measured point show.
+  /// The tool's orientation is a coordinate.
   bool sees_orientation() const { return num_lengths() < num_coordinates(); }
+  /// Turns of the tool about the measured point show.
+  bool turns_show() const { return sees_orientation() || several_points; }
   /// The lengths of one reading are the components of a 3-D error.
-  bool is_point() const { return num_lengths() == 3; }
+  bool is_point() const { return num_lengths() == 3 && !several_points; }
 };
 
 }  // namespace dhcal

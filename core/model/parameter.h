@@ -18,27 +18,46 @@ enum class Unit { kRadian, kMetre, kOther };
 /// "rad" or "m"; "" for kOther.
 const char* ToString(Unit unit);
 
-/// The rows that a parameter acts on: all, or those of one run or of one target.
+/// What frames and parameters may differ by between rows.
+struct RowLabels {
+  int run = 0;     // of the recording's
+  int target = 0;  // of the robot's
+  int edge = 0;    // of the recording's
+};
+
+/// The rows that a parameter acts on: all, or those of one run, of one target or of one edge.
 struct ParameterScope {
-  enum class Kind { kAll, kRun, kTarget };
+  enum class Kind { kAll, kRun, kTarget, kEdge };
 
   Kind kind = Kind::kAll;
-  int index = 0;  // of the recording's runs, or of the robot's targets
+  int index = 0;  // of the recording's runs or edges, or of the robot's targets
 
-  bool Holds(int row_run, int row_target) const {
-    if (kind == Kind::kRun) return index == row_run;
-    return kind == Kind::kAll || index == row_target;
+  bool Holds(const RowLabels& row) const {
+    switch (kind) {
+      case Kind::kAll:
+        return true;
+      case Kind::kRun:
+        return index == row.run;
+      case Kind::kTarget:
+        return index == row.target;
+      case Kind::kEdge:
+        return index == row.edge;
+    }
+    return false;
   }
-  /// One run, or target, that it acts on.
-  int run() const { return kind == Kind::kRun ? index : 0; }
-  int target() const { return kind == Kind::kTarget ? index : 0; }
+  /// Labels of rows that it acts on.
+  RowLabels row() const {
+    return {kind == Kind::kRun ? index : 0,
+            kind == Kind::kTarget ? index : 0,
+            kind == Kind::kEdge ? index : 0};
+  }
 };
 
 /// One unknown. A geometric freedom is a constant added to one slot of the chain
-/// (core/kinematics/slots.h), for all rows or only for the rows of one run or target. A parameter
-/// of a physical effect (core/physics/effect.h) adds to slots by its weights of each row.
+/// (core/kinematics/slots.h), for all rows or only for those of one run, target or edge. A
+/// parameter of a physical effect (core/physics/effect.h) adds to slots by its weights of each row.
 struct Parameter {
-  std::string name;  // "theta1", "base_rx", "tool_z.A" (target or run after the dot)
+  std::string name;  // "theta1", "base_rx", "tool_z.A" (target, run or edge after the dot)
   ParameterGroup group = ParameterGroup::kTheta;
   Unit unit = Unit::kRadian;
   int slot = -1;

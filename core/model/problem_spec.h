@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "core/base/diagnostics.h"
 #include "core/model/effect_request.h"
@@ -27,6 +28,19 @@ enum class LossKind { kNone, kHuber, kCauchy, kTukey };
 
 const char* ToString(SolverMethod method);
 
+/// A sensor of a head that looks along a straight line at an edge.
+struct HeadSensor {
+  Eigen::Vector3d p_QS = Eigen::Vector3d::Zero();   // [m] in the tool frame
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // unit vector of its sight, in the tool frame
+};
+
+/// A camera over a ruled edge and two lasers over a flat one beside it.
+struct HeadSpec {
+  HeadSensor camera;
+  std::array<HeadSensor, 2> lasers;
+  double ruler_height = 0;  // [m] of the ruled face above the flat one
+};
+
 struct MeasurementSpec {
   MeasurementKind kind;                  // of the registry, residuals/registry.h
   std::optional<double> sigma;           // [m] one measured coordinate; absent = estimated
@@ -34,6 +48,8 @@ struct MeasurementSpec {
   NoiseKind noise = NoiseKind::kIndependent;
   bool anchored = false;        // pairs: the first pose of each run and target is read, too
   std::vector<Anchor> anchors;  // where the kind has anchors
+  HeadSpec head;                // where the kind reads edges
+  std::vector<Edge> edges;      // those that the file names
   SourceLocation where;
 };
 
@@ -56,15 +72,31 @@ struct SolverSpec {
   double loss_scale = 1.0;  // [sigmas]
 };
 
-enum class MotionKind { kIncrements, kRandom, kFile };
+enum class MotionKind { kIncrements, kRandom, kLine, kFile };
+
+/// A straight path of the tool point, the tool turned as at its start.
+struct MotionLine {
+  Eigen::Isometry3d X_WQ = Eigen::Isometry3d::Identity();  // at the start
+  Eigen::Vector3d p_WQ_end = Eigen::Vector3d::Zero();      // [m]
+};
+
+/// A line over every edge, from -length / 2 to length / 2 along it, the tool's z axis into the
+/// face.
+struct AlongEdges {
+  double length = 0;     // [m]
+  double stand_off = 0;  // [m] of the tool point
+};
 
 struct MotionSpec {
   MotionKind kind = MotionKind::kRandom;
-  int num_poses = 100;
-  Eigen::VectorXd home;        // [rad] or [m], kIncrements
+  int num_poses = 100;         // of each line, kLine
+  Eigen::VectorXd home;        // [rad] or [m], kIncrements; near the lines' starts, kLine
   Eigen::VectorXd increments;  // per step, kIncrements
   Eigen::VectorXd lower;       // kRandom: uniform in [lower, upper]
   Eigen::VectorXd upper;
+  std::vector<MotionLine> lines;          // kLine, or:
+  std::optional<AlongEdges> along_edges;  // kLine
+  double tilt = 0;   // [rad] kLine: of the tool, its rotation vector's components in +- tilt
   std::string file;  // kFile: a recording's joint columns; resolved path
 };
 

@@ -19,11 +19,10 @@ struct ColumnAlias {
 };
 
 /// A numeric column that the program does nothing with: one that it has no name for is kept as a
-/// possible driver of a mismatch, a reading that it does not use yet only for copies of the file.
+/// possible driver of a mismatch.
 struct ExtraColumn {
   std::string name;
   Eigen::VectorXd values;  // NaN = blank
-  bool is_reading = false;
 };
 
 /// Columns are stored column-wise, SI units. A matrix or vector with zero rows = the column is
@@ -41,6 +40,7 @@ struct Recording {
   Eigen::MatrixXd displacement;  // num_rows x 3 [m] from the previous row of the same run
   Eigen::MatrixXd quaternion;    // num_rows x 4 (w, x, y, z), normalised
   Eigen::VectorXd distance;      // [m] from the measured point to the row's anchor
+  Eigen::MatrixXd head;          // num_rows x 3 [m] ruler, height1, height2 of the row's edge
   Eigen::VectorXd sigma;         // [m] standard deviation of this row's coordinates
   Eigen::VectorXd time;          // [s]
   Eigen::VectorXd payload;       // [kg]
@@ -56,7 +56,9 @@ struct Recording {
   std::vector<int> target_idx;
   std::vector<std::string> anchor_names;
   std::vector<int> anchor_idx;  // -1 = blank
-  std::vector<bool> is_test;    // set == "test"; empty = no such column
+  std::vector<std::string> edge_names;
+  std::vector<int> edge_idx;  // -1 = blank
+  std::vector<bool> is_test;  // set == "test"; empty = no such column
   /// Rows that a diagnosis found misread: neither fitted nor tested with. Empty = none.
   std::vector<bool> set_aside;
 
@@ -68,6 +70,8 @@ struct Recording {
   int run(int row_idx) const { return run_idx.empty() ? 0 : run_idx[row_idx]; }
   /// Target of a row; 0 without the column.
   int target(int row_idx) const { return target_idx.empty() ? 0 : target_idx[row_idx]; }
+  /// Edge of a row; 0 without the column, -1 where its cell is blank.
+  int edge(int row_idx) const { return edge_idx.empty() ? 0 : edge_idx[row_idx]; }
   bool test(int row_idx) const { return !is_test.empty() && is_test[row_idx]; }
 };
 

@@ -111,6 +111,9 @@ struct FitResult {
   std::vector<IterationRecord> trace;
   std::vector<ParameterResult> parameters;  // estimated and fixed, empty when not usable
   std::vector<NullDirection> null_space;
+  /// Of the estimated parameters in their order, SI; with the tolerance along directions that the
+  /// readings do not determine. Empty = not computed.
+  Eigen::MatrixXd covariance;
   // Covariance from ceres::Covariance (SuiteSparse QR) against the SVD's own.
   std::string covariance_check;            // a sentence
   double covariance_difference = kNotSet;  // largest relative difference of sigma compared

@@ -3,6 +3,8 @@
 #ifndef DHCAL_CORE_MODEL_ROBOT_H_
 #define DHCAL_CORE_MODEL_ROBOT_H_
 
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,12 +21,15 @@ enum class JointType { kRevolute, kPrismatic };
 struct JointRow {
   std::string name;
   JointType type = JointType::kRevolute;
-  double theta = 0;      // [rad]
-  double d = 0;          // [m]
-  double a = 0;          // [m]
-  double alpha = 0;      // [rad]
-  double beta = 0;       // [rad] Hayati's angle; zero in a plain DH row
-  double sign = 1;       // +1 or -1: the controller's sense of the joint against DH's
+  double theta = 0;  // [rad]
+  double d = 0;      // [m]
+  double a = 0;      // [m]
+  double alpha = 0;  // [rad]
+  double beta = 0;   // [rad] Hayati's angle; zero in a plain DH row
+  double sign = 1;   // +1 or -1: the controller's sense of the joint against DH's
+  /// Limits as the controller counts [rad or m]; infinite where the file gives none.
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
   SourceLocation where;  // in the problem file
 };
 
@@ -52,6 +57,13 @@ struct RunFrame {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
 };
 
+/// A placement of a straight edge, E: x along the rulings, z out of the flat face, y = 0 and x = 0
+/// anywhere.
+struct Edge {
+  std::string name;
+  std::optional<Eigen::Isometry3d> X_WE;  // absent = to be found from the readings
+};
+
 struct RobotModel {
   std::string name;
   SourceLocation where;  // in the problem file
@@ -61,6 +73,11 @@ struct RobotModel {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  // measurement frame W to base B
   bool base_per_run = false;
   std::vector<RunFrame> base_of_run;  // optional starts, when per run
+
+  /// Readings along straight edges: each edge is a measurement frame of its own, and the base has
+  /// a pose in each, X_EB = X_WE^-1 X_WB.
+  bool base_per_edge = false;
+  std::vector<Edge> edges;  // those that the file defines
 
   Eigen::Isometry3d X_TQ = Eigen::Isometry3d::Identity();  // flange T to measured point Q
   bool tool_per_run = false;

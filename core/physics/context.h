@@ -3,6 +3,7 @@
 #ifndef DHCAL_CORE_PHYSICS_CONTEXT_H_
 #define DHCAL_CORE_PHYSICS_CONTEXT_H_
 
+#include <algorithm>
 #include <vector>
 
 #include <Eigen/Core>
@@ -28,8 +29,8 @@ constexpr int kBends = 2;
 /// context was made at another state of it.
 class PhysicsContext {
  public:
-  /// `X_WB`: base of each run (one entry = the same for all). `robot` and `recording` must
-  /// outlive the context.
+  /// `X_WB`: base of each run, or of each edge (one entry = the same for all). `robot` and
+  /// `recording` must outlive the context.
   PhysicsContext(const RobotModel& robot,
                  const Recording& recording,
                  std::vector<Eigen::Isometry3d> X_WB);
@@ -73,7 +74,9 @@ class PhysicsContext {
     return X_BL(row_idx, axis_link(joint)).translation();
   }
   const Eigen::Isometry3d& X_WB(int row_idx) const {
-    return X_WB_.size() == 1 ? X_WB_[0] : X_WB_[static_cast<std::size_t>(recording_.run(row_idx))];
+    if (X_WB_.size() == 1) return X_WB_[0];
+    const int label = robot_.base_per_edge ? recording_.edge(row_idx) : recording_.run(row_idx);
+    return X_WB_[static_cast<std::size_t>(std::max(label, 0))];
   }
   /// Where the nominal robot has the measured point Q, in W [m]. Never what was read: a column that
   /// held a reading would hold the residual, and explain it.

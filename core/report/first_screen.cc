@@ -115,7 +115,7 @@ std::vector<std::string> NextSteps(const Result& result) {
         "Nothing was tested on rows that were not fitted: write test in a column set of some "
         "rows.");
   }
-  if (!result.kind.sees_orientation()) {
+  if (!result.kind.turns_show()) {
     steps.emplace_back(
         "The readings do not show how the tool is turned: its orientation is not calibrated.");
   }

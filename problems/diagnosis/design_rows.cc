@@ -25,7 +25,8 @@ Eigen::VectorXd Sigmas(const Calibration& c, const Noise& noise, int row) {
   Eigen::VectorXd sigma(static_cast<Eigen::Index>(coordinates.size()));
   for (std::size_t k = 0; k < coordinates.size(); ++k) {
     const bool length = coordinates[k].unit == Unit::kMetre;
-    sigma[static_cast<Eigen::Index>(k)] = length ? c.RowSigma(row, noise) : noise.sigma_rotation;
+    sigma[static_cast<Eigen::Index>(k)] =
+        coordinates[k].noise * (length ? c.RowSigma(row, noise) : noise.sigma_rotation);
   }
   return sigma;
 }
@@ -101,10 +102,8 @@ DesignRows::DesignRows(const Calibration& c,
 
 PoseWithDerivatives DesignRows::PoseAt(int row) const {
   PoseWithDerivatives pose;
-  c_.chain.PoseAndDerivatives(c_.recording.q.row(row).transpose(),
-                              deltas_.col(row),
-                              c_.frames.ends(c_.recording.run(row), c_.Target(row)),
-                              &pose);
+  c_.chain.PoseAndDerivatives(
+      c_.recording.q.row(row).transpose(), deltas_.col(row), c_.frames.ends(c_.Labels(row)), &pose);
   return pose;
 }
 
@@ -172,48 +171,61 @@ void DesignRows::AddReading(const Reading& reading) {
 
 void DesignRows::AddSeries(const std::vector<Reading>& readings) {
   struct Last {
-    int series = -1;                              // none: anchored, without an offset
-    Eigen::Vector3d y = Eigen::Vector3d::Zero();  // [m] up to the series' offset
+    int series = -1;        // none: anchored, without an offset
+    Eigen::VectorXd error;  // measured minus predicted, up to the series' offset
+    Eigen::MatrixXd J;      // of the row's own reading, by slots
   };
   std::map<int, Last> of_row;
   std::vector<Eigen::Triplet<double>> offsets;
-  std::vector<double> length2;  // of each series' offsets
+  std::vector<double> length2;  // of each offset
   const auto add = [&](int row, const Last& last) {
-    const PoseWithDerivatives pose = PoseAt(row);
     // One number per row, so that what the offsets take stays a mean of rows.
-    const double rounding = Rounding(pose.J_p).trace() / 3;
-    const double sigma =
-        std::hypot(c_.RowSigma(row, weights_.noise), std::sqrt(rounding)) / RootWeight(row);
-    const Eigen::VectorXd y = (last.y - pose.p_WQ) / sigma;
+    const double rounding = Rounding(last.J).trace() / coordinates_;
+    const Eigen::VectorXd sigma =
+        (Sigmas(c_, weights_.noise, row).array().square() + rounding).sqrt() / RootWeight(row);
     if (last.series >= 0) {
-      for (int k = 0; k < 3; ++k) offsets.emplace_back(filled_ + k, 3 * last.series + k, 1 / sigma);
-      length2.resize(static_cast<std::size_t>(num_series_));
-      length2[static_cast<std::size_t>(last.series)] += 1 / (sigma * sigma);
+      length2.resize(static_cast<std::size_t>(coordinates_ * num_series_));
+      for (int k = 0; k < coordinates_; ++k) {
+        const int offset = coordinates_ * last.series + k;
+        offsets.emplace_back(filled_ + k, offset, 1 / sigma[k]);
+        length2[static_cast<std::size_t>(offset)] += 1 / (sigma[k] * sigma[k]);
+      }
     }
-    Append(y, pose.J_p / sigma, row, nullptr, -1);
+    Append(last.error.cwiseQuotient(sigma),
+           sigma.cwiseInverse().asDiagonal() * last.J,
+           row,
+           nullptr,
+           -1);
     of_row[row] = last;
   };
   for (const Reading& reading : readings) {
+    const PoseWithDerivatives now = PoseAt(reading.row_idx);
+    const SeenPose seen{now.p_WQ, now.R_WQ};
+    ReadingComparison comparison(coordinates_);
     if (reading.previous_idx < 0) {
-      Last anchored;
-      anchored.y = c_.measurement->Point(reading);
-      add(reading.row_idx, anchored);
+      c_.measurement->Compare(reading, seen, nullptr, &comparison);
+      add(reading.row_idx, {-1, -comparison.difference, BySlots(comparison.by_now, now)});
       continue;
     }
+    const PoseWithDerivatives before = PoseAt(reading.previous_idx);
+    const SeenPose seen_before{before.p_WQ, before.R_WQ};
+    c_.measurement->Compare(reading, seen, &seen_before, &comparison);
     if (of_row.count(reading.previous_idx) == 0) {
-      Last first;
-      first.series = num_series_++;
-      first.y = PoseAt(reading.previous_idx).p_WQ;
-      add(reading.previous_idx, first);
+      // The earlier reading of a pair enters with the other sign.
+      add(reading.previous_idx,
+          {num_series_++,
+           Eigen::VectorXd::Zero(coordinates_),
+           -BySlots(comparison.by_before, before)});
     }
     Last next = of_row.at(reading.previous_idx);
-    next.y += c_.measurement->Point(reading);
+    next.error -= comparison.difference;
+    next.J = BySlots(comparison.by_now, now);
     add(reading.row_idx, next);
   }
-  offsets_.resize(filled_, Eigen::Index{3} * num_series_);
+  offsets_.resize(filled_, Eigen::Index{coordinates_} * num_series_);
   offsets_.setFromTriplets(offsets.begin(), offsets.end());
   for (int k = 0; k < offsets_.cols(); ++k) {
-    const double length = std::sqrt(length2[static_cast<std::size_t>(k / 3)]);
+    const double length = std::sqrt(length2[static_cast<std::size_t>(k)]);
     for (Eigen::SparseMatrix<double>::InnerIterator it(offsets_, k); it; ++it) {
       it.valueRef() /= length;
     }
@@ -273,7 +285,7 @@ Eigen::MatrixXd DesignRows::Geometry(const std::vector<Parameter>& parameters) c
     }
     Eigen::VectorXd weight(c_.recording.num_rows());
     for (int row = 0; row < c_.recording.num_rows(); ++row) {
-      weight[row] = parameter.scope.Holds(c_.recording.run(row), c_.Target(row)) ? 1.0 : 0.0;
+      weight[row] = parameter.scope.Holds(c_.Labels(row)) ? 1.0 : 0.0;
     }
     J.col(k) = Column({{parameter.slot, weight}});
   }
@@ -290,7 +302,8 @@ double RmsAsRead(const Calibration& c,
   for (Eigen::Index k = 0; k < whitened.size(); ++k) {
     const auto coordinate = static_cast<std::size_t>(k % kind.num_coordinates());
     if (kind.coordinates[coordinate].unit != Unit::kMetre) continue;
-    const double sigma = c.RowSigma(recording_row[static_cast<std::size_t>(k)], noise);
+    const double sigma = kind.coordinates[coordinate].noise *
+                         c.RowSigma(recording_row[static_cast<std::size_t>(k)], noise);
     square += whitened[k] * whitened[k] * sigma * sigma;
     ++count;
   }

@@ -63,7 +63,7 @@ class DesignRows {
   }
   const Eigen::VectorXd& y() const { return y_; }
   /// Rows less what the free offsets of series take.
-  int degrees_of_freedom() const { return num_rows() - 3 * num_series_; }
+  int degrees_of_freedom() const { return num_rows() - coordinates_ * num_series_; }
 
   /// Orthonormal basis of what those offsets take of the rows; no columns where there are none.
   const Eigen::SparseMatrix<double>& offsets() const { return offsets_; }

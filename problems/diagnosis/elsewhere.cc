@@ -102,7 +102,7 @@ MatrixXd Elsewhere::Absorbed(const MatrixXd& columns) const {
 MatrixXd Elsewhere::Moves(const EffectRequest& request,
                           const MatrixXd& absorbed,
                           const Recording& poses) const {
-  const PhysicsContext there(c_.spec.robot, poses, {c_.frames.base(0)});
+  const PhysicsContext there(c_.spec.robot, poses, {c_.frames.base({})});
   // The recording's columns in their sizes: elsewhere the typical size may be another, and a column
   // may be missing (of the payload, where it does not vary), or have come in.
   const std::vector<EffectColumn> here = EffectColumns(context_, request);
@@ -111,7 +111,7 @@ MatrixXd Elsewhere::Moves(const EffectRequest& request,
   PoseWithDerivatives pose;
   for (int row = 0; row < poses.num_rows(); ++row) {
     c_.chain.PoseAndDerivatives(
-        poses.q.row(row).transpose(), c_.SlotDeltas(state_, 0), c_.frames.ends(0, 0), &pose);
+        poses.q.row(row).transpose(), c_.SlotDeltas(state_, 0), c_.frames.ends({}), &pose);
     for (std::size_t k = 0; k < here.size(); ++k) {
       Eigen::Vector3d move = Eigen::Vector3d::Zero();
       for (const EffectColumn& column : columns) {
@@ -121,7 +121,7 @@ MatrixXd Elsewhere::Moves(const EffectRequest& request,
         }
       }
       for (std::size_t g = 0; g < geometry_.size(); ++g) {
-        if (!geometry_[g].scope.Holds(0, 0)) continue;
+        if (!geometry_[g].scope.Holds({})) continue;
         move -= pose.J_p.col(geometry_[g].slot) *
                 absorbed(static_cast<Index>(g), static_cast<Index>(k));
       }
@@ -189,9 +189,9 @@ Elsewhere::Split Elsewhere::PosesThatSplit(const EffectRequest& first,
     PoseWithDerivatives pose;
     for (int row = 0; row < poses.num_rows(); ++row) {
       c_.chain.PoseAndDerivatives(
-          poses.q.row(row).transpose(), c_.SlotDeltas(state_, 0), c_.frames.ends(0, 0), &pose);
+          poses.q.row(row).transpose(), c_.SlotDeltas(state_, 0), c_.frames.ends({}), &pose);
       for (std::size_t g = 0; g < geometry_.size(); ++g) {
-        if (!geometry_[g].scope.Holds(0, 0)) continue;
+        if (!geometry_[g].scope.Holds({})) continue;
         moved.segment<3>(3 * row) -=
             pose.J_p.col(geometry_[g].slot) * absorbed(static_cast<Index>(g), 0);
       }

@@ -35,7 +35,7 @@ double ScaleNear(double scale) {
 FramesFit::FramesFit(const Calibration& c, const std::vector<Reading>& readings)
     : pairs_(c.measurement->kind().pairs),
       distances_(!c.measurement->kind().is_point()),
-      tool_(c.frames.tool(0, 0).translation()) {
+      tool_(c.frames.tool({}).translation()) {
   const auto n = static_cast<Eigen::Index>(readings.size());
   if (distances_) {
     distance_.resize(n);

@@ -100,8 +100,8 @@ std::optional<OrientationForms> JudgeOrientations(const Calibration& c) {
   Eigen::Matrix3d left = Eigen::Matrix3d::Identity();
   for (std::size_t k = 0; k < rows.size(); k += step) {
     const int row = rows[k];
-    const Eigen::Matrix3d tool = c.frames.tool(recording.run(row), c.Target(row)).linear();
-    left = c.frames.base(recording.run(row)).linear();
+    const Eigen::Matrix3d tool = c.frames.tool(c.Labels(row)).linear();
+    left = c.frames.base(c.Labels(row)).linear();
     arm.emplace_back(left.transpose() * c.Pose(zero, row).linear() * tool.transpose());
     quaternions.conservativeResize(quaternions.rows() + 1, 4);
     quaternions.bottomRows<1>() = recording.quaternion.row(row);

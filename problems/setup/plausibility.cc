@@ -126,6 +126,12 @@ void JudgeRobot(const Files& files,
                 const Result& identified,
                 SetupJudgement* judgement) {
   SetupResult& setup = judgement->setup;
+  const MeasurementKind& kind = files.spec.measurement.kind;
+  if (!kind.is_point() && !kind.anchors) {
+    // The search for causes knows points and distances.
+    if (FarOff(misfit, files)) setup.reasons.push_back(MissesWords(misfit));
+    return;
+  }
   const bool far_off = FarOff(misfit, files);
   if (!far_off && misfit <= kWorthAsking * ReachOf(files.robot())) return;
   const bool several_runs = files.recording.run_names.size() > 1;

@@ -160,7 +160,7 @@ TEST(CheckEnoughReadings, RowsThatNeverFollowEachOtherGiveNoDisplacement) {
   Diagnostics diagnostics;
   CheckEnoughReadings(made.spec, made.recording, &diagnostics);
   EXPECT_THAT(diagnostics.ToString(),
-              HasSubstr("no two consecutive rows share run, target and set"));
+              HasSubstr("no two consecutive rows share run, target, edge and set"));
 }
 
 TEST(CheckEnoughReadings, NoiseCannotBeEstimatedFromAsManyNumbersAsParameters) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -32,9 +33,14 @@ class EveryMeasurement : public testing::TestWithParam<std::string> {
     Rng rng(7);
     spec_.kind = type_.Describe();
     spec_.anchors = {{"near", Vector3d(2.5, 1, 0)}, {"far", Vector3d(-3, 2, 4)}};
+    spec_.head.camera.p_QS = Vector3d(0.02, 0, 0);
+    spec_.head.lasers[0].p_QS = Vector3d(-0.03, 0.05, 0.01);
+    spec_.head.lasers[1] = {Vector3d(-0.03, -0.05, 0.01), Vector3d(0.1, -0.2, 1).normalized()};
+    spec_.head.ruler_height = 0.004;
     for (int k = 0; k < kPoses; ++k) {
       const Vector3d p(rng.Uniform(-1, 1), rng.Uniform(-1, 1), rng.Uniform(-1, 1));
-      const Vector3d w(rng.Uniform(-1, 1), rng.Uniform(-1, 1), rng.Uniform(-1, 1));
+      // Sensors of a head keep seeing the face.
+      const Vector3d w(rng.Uniform(-0.7, 0.7), rng.Uniform(-0.7, 0.7), rng.Uniform(-0.7, 0.7));
       poses_.push_back(MakeFrame(p, w));
     }
     recording_.q = MatrixXd::Zero(kPoses, 1);
@@ -129,8 +135,12 @@ TEST_P(EveryMeasurement, ReadsWithTheNoiseAskedFor) {
       count += static_cast<double>(comparison.difference.size());
     }
   }
-  // Five standard deviations of the estimate.
-  EXPECT_NEAR(std::sqrt(squares / count) / kSigma, 1.0, 5 / std::sqrt(2 * count));
+  // A difference of two readings has the errors of both.
+  const bool of_two = spec_.kind.pairs && recording_.displacement.rows() == 0;
+  // Five standard deviations of the estimate; the errors of series are correlated.
+  EXPECT_NEAR(std::sqrt(squares / count) / kSigma,
+              of_two ? std::sqrt(2.0) : 1.0,
+              (of_two ? 10 : 5) / std::sqrt(2 * count));
 }
 
 TEST_P(EveryMeasurement, DerivativesByTwistEqualRiddersDifferences) {
@@ -165,7 +175,7 @@ TEST_P(EveryMeasurement, SeesAnOffsetAndATurnExactlyWhereItSaysSo) {
     turn.bottomRows(both.rows()) = comparison.by_now.rightCols<3>();
   }
   EXPECT_EQ(shift.norm() > 1e-9, spec_.kind.sees_offset);
-  EXPECT_EQ(turn.norm() > 1e-9, spec_.kind.sees_orientation());
+  EXPECT_EQ(turn.norm() > 1e-9, spec_.kind.turns_show());
 }
 
 TEST_P(EveryMeasurement, BlankRowsGiveNoReading) {
@@ -173,7 +183,7 @@ TEST_P(EveryMeasurement, BlankRowsGiveNoReading) {
   const std::size_t all = readings_.size();
   const double blank = std::numeric_limits<double>::quiet_NaN();
   for (MatrixXd* const column :
-       {&recording_.p_WQ, &recording_.displacement, &recording_.quaternion}) {
+       {&recording_.p_WQ, &recording_.displacement, &recording_.quaternion, &recording_.head}) {
     if (column->rows() > 0) column->row(3).setConstant(blank);
   }
   if (recording_.distance.size() > 0) recording_.distance[3] = blank;
@@ -205,6 +215,44 @@ TEST(Distance, HasNoDerivativeAtItsAnchor) {
   const auto measurement = MakeMeasurement(spec, recording);
   ReadingComparison comparison(1);
   EXPECT_FALSE(measurement->Compare({0, -1}, {Vector3d(1, 2, 3)}, nullptr, &comparison));
+}
+
+TEST(StraightEdgeHead, SensorsThatLookAlongTheFaceHaveNoReading) {
+  MeasurementSpec spec;
+  spec.kind = KindNamed("straight_edge");
+  Recording recording;
+  recording.q = MatrixXd::Zero(2, 1);
+  recording.head = MatrixXd::Zero(2, 3);
+  recording.edge_names = {"E"};
+  recording.edge_idx = {0, 0};
+  const auto measurement = MakeMeasurement(spec, recording);
+  ReadingComparison comparison(3);
+  const Isometry3d down = MakeFrame({0, 0, 0.06}, {3.14159, 0, 0});
+  const Isometry3d along = MakeFrame({0, 0, 0.06}, {1.5707963, 0, 0});
+  const auto seen = [](const Isometry3d& X) { return SeenPose{X.translation(), X.linear()}; };
+  const SeenPose over = seen(down), beside = seen(along);
+  EXPECT_TRUE(measurement->Compare({1, 0}, over, &over, &comparison));
+  EXPECT_FALSE(measurement->Compare({1, 0}, beside, &over, &comparison));
+  EXPECT_FALSE(measurement->Compare({1, 0}, over, &beside, &comparison));
+}
+
+TEST(StraightEdgeHead, PairsNeverCrossARunOrAnEdge) {
+  MeasurementSpec spec;
+  spec.kind = KindNamed("straight_edge");
+  Recording recording;
+  recording.q = MatrixXd::Zero(7, 1);
+  recording.head = MatrixXd::Ones(7, 3);
+  recording.edge_names = {"A", "B"};
+  recording.edge_idx = {0, 1, 0, 1, -1, 0, 0};
+  recording.run_names = {"first", "second"};
+  recording.run_idx = {0, 0, 0, 0, 0, 1, 1};
+  const auto measurement = MakeMeasurement(spec, recording);
+  std::vector<std::pair<int, int>> pairs;
+  for (const Reading& reading : CollectReadings(*measurement, recording, false).fitted) {
+    pairs.emplace_back(reading.previous_idx, reading.row_idx);
+  }
+  const std::vector<std::pair<int, int>> expected = {{0, 2}, {1, 3}, {5, 6}};
+  EXPECT_EQ(pairs, expected);
 }
 
 }  // namespace

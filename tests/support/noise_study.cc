@@ -68,7 +68,7 @@ double PredictionError(const Calibration& c,
   double squares = 0;
   for (Eigen::Index k = 0; k < places.q.rows(); ++k) {
     const Eigen::Isometry3d X_WQ =
-        c.chain.Pose<double>(places.q.row(k).transpose(), delta, c.frames.ends(0, 0));
+        c.chain.Pose<double>(places.q.row(k).transpose(), delta, c.frames.ends({}));
     squares += (X_WQ.translation() - places.points[static_cast<std::size_t>(k)]).squaredNorm();
   }
   return std::sqrt(squares / static_cast<double>(places.q.rows()));

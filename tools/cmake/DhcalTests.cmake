@@ -11,6 +11,7 @@ dhcal_library(
   DEPENDS dhcal_tools_support
           dhcal_tools_study
           dhcal_tools_transfer
+          dhcal_tools_compensate
           dhcal_tools_proof
           GTest::gmock
           GTest::gtest)

@@ -41,9 +41,8 @@ constexpr double kCourseOfItsOwn = 0.01;  // of its deviation, beside what is kn
 
 const ExtraColumn* ColumnNamed(const PhysicsContext& c, const std::string& name) {
   const auto& extra = c.recording().extra;
-  const auto found = std::find_if(extra.begin(), extra.end(), [&](const ExtraColumn& column) {
-    return !column.is_reading && column.name == name;
-  });
+  const auto found = std::find_if(
+      extra.begin(), extra.end(), [&](const ExtraColumn& column) { return column.name == name; });
   return found == extra.end() ? nullptr : &*found;
 }
 
@@ -125,7 +124,7 @@ std::vector<std::string> DriversOfTheirOwn(const PhysicsContext& c) {
   const MatrixXd known = KnownDrivers(c), readings = Readings(c.recording());
   for (const ExtraColumn& column : c.recording().extra) {
     const VectorXd& x = column.values;
-    if (column.is_reading || !x.allFinite() || StandsStill(x) || !IsQuantity(x)) continue;
+    if (!x.allFinite() || StandsStill(x) || !IsQuantity(x)) continue;
     if (!Repeats(x, known) && !Repeats(x, readings)) names.push_back(column.name);
   }
   return names;
@@ -291,7 +290,7 @@ class ColumnDriverEffect final : public Effect {
   static std::string NoSuchColumn(const PhysicsContext& c, const std::string& name) {
     std::vector<std::string> names;
     for (const ExtraColumn& column : c.recording().extra) {
-      if (!column.is_reading) names.push_back(Printable(column.name));
+      names.push_back(Printable(column.name));
     }
     return fmt::format("the recording has no column '{}' that stands for nothing else; {}",
                        Printable(name),

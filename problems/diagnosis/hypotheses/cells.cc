@@ -103,7 +103,7 @@ std::vector<CellDriver> CircumstanceDrivers(const PhysicsContext& c) {
     }
   }
   for (const ExtraColumn& column : rec.extra) {
-    if (!column.is_reading && Moves(column.values)) {
+    if (Moves(column.values)) {
       drivers.push_back(PowersOf("column " + column.name, column.values, 2));
     }
   }

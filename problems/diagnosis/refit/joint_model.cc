@@ -126,9 +126,9 @@ MatrixXd JointModel::GeometryDeltas(const VectorXd& geometry) const {
   const Calibration& c = *calibration_;
   MatrixXd deltas = MatrixXd::Zero(c.chain.slots().size(), c.recording.num_rows());
   for (int row = 0; row < c.recording.num_rows(); ++row) {
-    const int run = c.recording.run(row), target = c.Target(row);
+    const RowLabels labels = c.Labels(row);
     for (std::size_t k = 0; k < c.parameters.size(); ++k) {
-      if (c.parameters[k].scope.Holds(run, target)) {
+      if (c.parameters[k].scope.Holds(labels)) {
         deltas(c.parameters[k].slot, row) += geometry[static_cast<Index>(k)];
       }
     }

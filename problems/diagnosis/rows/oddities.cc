@@ -23,18 +23,20 @@ constexpr double kNearlyRound = 0.02;  // ... to this part
 Eigen::VectorXd ReadingOf(const Recording& r, int row) {
   if (r.displacement.rows() > 0) return {};
   if (r.p_WQ.rows() > 0) return r.p_WQ.row(row);
+  if (r.head.rows() > 0) return r.head.row(row);
   if (r.distance.size() > 0) return r.distance.segment<1>(row);
   return {};
 }
 
-/// The row before of the same target and anchor; -1 = none.
+/// The row before of the same target, anchor and edge; -1 = none.
 int RowBefore(const Recording& r, int row) {
   for (int before = row - 1; before >= 0; --before) {
     const bool same_anchor =
         r.anchor_idx.empty() || r.anchor_idx[static_cast<std::size_t>(row)] ==
                                     r.anchor_idx[static_cast<std::size_t>(before)];
-    const bool same_run = r.run(before) == r.run(row);
-    if (same_run && same_anchor && r.target(before) == r.target(row)) return before;
+    const bool same_series = r.run(before) == r.run(row) && r.target(before) == r.target(row) &&
+                             r.edge(before) == r.edge(row);
+    if (same_series && same_anchor) return before;
   }
   return -1;
 }

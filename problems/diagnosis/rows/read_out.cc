@@ -84,6 +84,7 @@ Recording PutTogether(const Recording& r,
   t.quaternion = Grouped(r.quaternion, groups, false);
   for (Index k = 0; k < t.quaternion.rows(); ++k) t.quaternion.row(k).normalize();
   t.distance = Grouped(r.distance, groups, true);
+  t.head = Grouped(r.head, groups, true);
   t.sigma = Grouped(r.sigma, groups, false);
   t.payload = Grouped(r.payload, groups, false);
   t.temperature = Grouped(r.temperature, groups, false);
@@ -93,6 +94,7 @@ Recording PutTogether(const Recording& r,
   t.run_idx = Firsts(r.run_idx, groups);
   t.target_idx = Firsts(r.target_idx, groups);
   t.anchor_idx = Firsts(r.anchor_idx, groups);
+  t.edge_idx = Firsts(r.edge_idx, groups);
   t.is_test = Firsts(r.is_test, groups);
   for (std::size_t k = 0; k < r.extra.size(); ++k) {
     t.extra[k].values = Grouped(r.extra[k].values, groups, false);
@@ -179,6 +181,7 @@ DistinctRows PutRepeatsTogether(const Recording& recording, const MatrixXd& dire
     std::vector<double> key = {static_cast<double>(poses[at]),
                                static_cast<double>(recording.run(row)),
                                static_cast<double>(recording.target(row)),
+                               static_cast<double>(recording.edge(row)),
                                recording.test(row) ? 1.0 : 0.0,
                                recording.payload.size() > 0 && std::isfinite(recording.payload[row])
                                    ? recording.payload[row]

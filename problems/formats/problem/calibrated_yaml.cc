@@ -200,6 +200,21 @@ YAML::Node RobotNode(const RobotModel& calibrated, bool masses_changed, const YA
   return robot;
 }
 
+/// The measurement with the edges where the fit has them.
+YAML::Node MeasurementNode(const RobotModel& calibrated, const YAML::Node& old) {
+  if (calibrated.edges.empty()) return old;
+  YAML::Node measurement(YAML::NodeType::Map);
+  for (const auto& entry : old) measurement[entry.first.Scalar()] = entry.second;
+  YAML::Node edges(YAML::NodeType::Map);
+  for (const Edge& edge : calibrated.edges) {
+    YAML::Node node = FlowMap();
+    if (edge.X_WE) SetPose(*edge.X_WE, &node);
+    edges[edge.name] = node;
+  }
+  measurement["edges"] = edges;
+  return measurement;
+}
+
 YAML::Node ValuesNode(const EffectRequest& effect) {
   YAML::Node values = FlowMap();
   for (const auto& [name, value] : effect.values) values[name] = Digits(value);
@@ -262,6 +277,8 @@ std::string CalibratedYaml(const ProblemSpec& spec,
     } else if (key == "robot") {
       const bool masses_changed = !SameMasses(calibrated.links, spec.robot.links);
       root["robot"] = RobotNode(calibrated, masses_changed, entry.second);
+    } else if (key == "measurement") {
+      root["measurement"] = MeasurementNode(calibrated, entry.second);
     } else if (key == "parameters") {
       root["parameters"] = ParametersNode(effects, entry.second);
     } else {

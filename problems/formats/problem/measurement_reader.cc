@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/io/yaml_map.h"
+#include "problems/formats/problem/head_reader.h"
 #include "problems/formats/problem/pose_reader.h"
 #include "residuals/registry.h"
 
@@ -16,16 +17,12 @@ namespace dhcal {
 
 namespace {
 
-/// Kinds that recordings of this format may be of, but that the program cannot use yet.
-const std::vector<std::string> kKindsToCome = {"straight_edge"};
-
 bool ReadKind(YamlMap* map, MeasurementKind* kind) {
   std::vector<std::pair<std::string, MeasurementKind>> kinds;
   for (const MeasurementType* const type : AllMeasurementTypes()) {
     kinds.emplace_back(type->Describe().name, type->Describe());
   }
-  return map->RequireKey("kind") &&
-         map->ReadChoice<MeasurementKind>("kind", kinds, kind, kKindsToCome);
+  return map->RequireKey("kind") && map->ReadChoice<MeasurementKind>("kind", kinds, kind);
 }
 
 void ReadSigma(YamlMap* map,
@@ -72,7 +69,9 @@ void CheckKindsOwnKeys(YamlMap* map, const MeasurementSpec& measurement) {
   };
   const auto rotations = [](const MeasurementKind& k) { return k.sees_orientation(); };
   const auto anchors = [](const MeasurementKind& k) { return k.anchors; };
-  const auto pairs = [](const MeasurementKind& k) { return k.pairs; };
+  const auto edges = [](const MeasurementKind& k) { return k.edges; };
+  // A ruler has no position that a first pose could be known by.
+  const auto anchored = [](const MeasurementKind& k) { return k.pairs && !k.edges; };
   const auto shared = [](const MeasurementKind& k) { return k.shared_noise; };
   if (!rotations(kind)) {
     if (const auto sigma = map->Find("sigma_rotation", SmallAngleUnits())) {
@@ -82,8 +81,13 @@ void CheckKindsOwnKeys(YamlMap* map, const MeasurementSpec& measurement) {
   if (!anchors(kind)) {
     if (const auto value = map->Find("anchors")) refuse(*value, anchors);
   }
-  if (!pairs(kind)) {
-    if (const auto value = map->Find("anchored")) refuse(*value, pairs);
+  if (!anchored(kind)) {
+    if (const auto value = map->Find("anchored")) refuse(*value, anchored);
+  }
+  if (!edges(kind)) {
+    for (const char* const key : {"head", "edges"}) {
+      if (const auto value = map->Find(key)) refuse(*value, edges);
+    }
   }
   if (!shared(kind) && measurement.noise == NoiseKind::kSharedPose) {
     map->Find("noise")->Error(fmt::format(
@@ -99,7 +103,10 @@ enum class Anchored { kNone, kFirst };
 void ReadMeasurement(const YamlValue& value, MeasurementSpec* measurement) {
   YamlMap map(value);
   const bool kind_known = ReadKind(&map, &measurement->kind);
+  measurement->where = value.key_where();
   ReadSigma(&map, "sigma", LengthUnits(), &measurement->sigma);
+  // What a head reads at a pose enters both of its differences.
+  if (measurement->kind.edges) measurement->noise = NoiseKind::kSharedPose;
   map.ReadChoice<NoiseKind>(
       "noise",
       {{"independent", NoiseKind::kIndependent}, {"shared_pose", NoiseKind::kSharedPose}},
@@ -110,7 +117,7 @@ void ReadMeasurement(const YamlValue& value, MeasurementSpec* measurement) {
     return;
   }
   CheckKindsOwnKeys(&map, *measurement);
-  if (measurement->kind.pairs) {
+  if (measurement->kind.pairs && !measurement->kind.edges) {
     Anchored anchored = Anchored::kNone;
     map.ReadChoice<Anchored>(
         "anchored", {{"none", Anchored::kNone}, {"first", Anchored::kFirst}}, &anchored);
@@ -122,6 +129,10 @@ void ReadMeasurement(const YamlValue& value, MeasurementSpec* measurement) {
   if (measurement->kind.anchors) {
     const std::optional<YamlValue> anchors = map.Require("anchors");
     if (anchors) ReadAnchors(*anchors, &measurement->anchors);
+  }
+  if (measurement->kind.edges) {
+    if (const auto head = map.Require("head")) ReadHead(*head, measurement);
+    if (const auto edges = map.Find("edges")) ReadEdges(*edges, &measurement->edges);
   }
 }
 

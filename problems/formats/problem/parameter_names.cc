@@ -72,12 +72,13 @@ std::optional<NameKind> FrameEntryKind(const std::string& stem) {
   return std::nullopt;
 }
 
-/// Why the frame entry cannot belong to `owner`; "" when it can. Whether a run exists is seen
-/// only in the recording.
+/// Why the frame entry cannot belong to `owner`; "" when it can. Whether a run or an edge exists is
+/// seen only in the recording.
 std::string OwnerProblem(const std::string& stem,
                          const std::string& owner,
                          const RobotModel& robot) {
   if (StartsWith(stem, "base_")) {
+    if (robot.base_per_edge) return "";
     return robot.base_per_run ? "" : "names a run, but 'robot.base' has no 'per_run: true'";
   }
   std::vector<std::string> names;

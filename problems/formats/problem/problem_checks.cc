@@ -33,6 +33,7 @@ class FitChecker {
   void CheckColumns();
   void CheckTargets();
   void CheckAnchors();
+  void CheckEdges();
   void CheckRuns();
   void CheckSets();
 
@@ -130,6 +131,21 @@ void FitChecker::CheckAnchors() {
   }
 }
 
+void FitChecker::CheckEdges() {
+  if (!spec_.measurement.kind.edges) return;
+  if (recording_.edge_idx.empty() || recording_.head.rows() == 0) return;
+  if (!spec_.robot.edges.empty()) {
+    Names defined;
+    for (const Edge& edge : spec_.robot.edges) defined.push_back(edge.name);
+    CompareNames("edge", recording_.edge_names, recording_.edge_idx, defined);
+  }
+  for (int row = 0; row < recording_.num_rows(); ++row) {
+    if (std::isnan(recording_.head(row, 0)) || recording_.edge_idx[row] >= 0) continue;
+    Error(AtRow(row), "the row has a ruler reading, but its cell 'edge' is blank; name the edge");
+    return;
+  }
+}
+
 void FitChecker::CheckRunFrames(const std::string& frame, const std::vector<RunFrame>& frames) {
   for (const RunFrame& run_frame : frames) {
     if (Contains(recording_.run_names, run_frame.run)) continue;
@@ -146,6 +162,7 @@ void FitChecker::CheckRuns() {
   CheckRunFrames("base", spec_.robot.base_of_run);
   CheckRunFrames("tool", spec_.robot.tool_of_run);
   Names owners = recording_.run_names;
+  owners.insert(owners.end(), recording_.edge_names.begin(), recording_.edge_names.end());
   for (const Target& target : spec_.robot.targets) owners.push_back(target.name);
   Names names = spec_.parameters.estimate;
   names.insert(names.end(), spec_.parameters.fix.begin(), spec_.parameters.fix.end());
@@ -153,11 +170,14 @@ void FitChecker::CheckRuns() {
   for (const std::string& name : names) {
     const std::string owner = SplitOwner(name).second;
     if (owner.empty() || Contains(owners, owner)) continue;
+    const char* const kind = spec_.robot.base_per_edge ? "edge" : "run";
     Error(spec_.parameters.where,
-          fmt::format("the parameter '{}' is one of the run '{}', but the recording has no run of "
+          fmt::format("the parameter '{}' is one of the {} '{}', but the recording has no {} of "
                       "this name",
                       Printable(name),
-                      Printable(owner)));
+                      kind,
+                      Printable(owner),
+                      kind));
   }
 }
 
@@ -205,6 +225,7 @@ void CheckRecordingFits(const ProblemSpec& spec,
   checker.CheckColumns();
   checker.CheckTargets();
   checker.CheckAnchors();
+  checker.CheckEdges();
   checker.CheckRuns();
   checker.CheckSets();
   CheckEffectsFit(spec, recording, diagnostics);

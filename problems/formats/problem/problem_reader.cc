@@ -125,6 +125,13 @@ void ReadSourceOfRows(YamlMap* map, const std::string& data_dir, ProblemSpec* sp
   }
 }
 
+void CheckOneBasePerEdge(const YamlValue& measurement, const RobotModel& robot) {
+  if (!robot.base_per_edge || !robot.base_per_run) return;
+  measurement.Error(
+      "reads along edges, each with a base pose of its own; remove 'per_run' from "
+      "'robot.base' (an edge that was moved between runs has another name in each)");
+}
+
 void ReadProblem(const YamlValue& root, const std::string& data_dir, ProblemSpec* spec) {
   YamlMap map(root);
   if (!map.valid()) return;
@@ -134,10 +141,15 @@ void ReadProblem(const YamlValue& root, const std::string& data_dir, ProblemSpec
   if (const auto measurement = map.Require("measurement")) {
     ReadMeasurement(*measurement, &spec->measurement);
     spec->robot.anchors = spec->measurement.anchors;
+    spec->robot.edges = spec->measurement.edges;
+    spec->robot.base_per_edge = spec->measurement.kind.edges;
+    CheckOneBasePerEdge(*measurement, spec->robot);
   }
   spec->parameters.where = root.key_where();
-  // An instrument beside the robot stands anywhere and looks at a reflector put on by hand.
-  if (!spec->measurement.kind.pairs) spec->parameters.estimate = {"complete"};
+  // An instrument beside the robot, or an edge, stands anywhere and looks at, or is seen from,
+  // something put on by hand.
+  if (!spec->measurement.kind.pairs || spec->measurement.kind.edges)
+    spec->parameters.estimate = {"complete"};
   if (const auto parameters = map.Find("parameters")) {
     spec->parameters.where = parameters->key_where();
     ReadParameters(*parameters, spec->robot, &spec->parameters);

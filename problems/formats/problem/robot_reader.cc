@@ -73,6 +73,22 @@ void ReadSign(YamlMap* row, double* sign) {
   }
 }
 
+/// `limits_deg: [-185, 185]`; of a slide `limits_mm`.
+void ReadLimits(YamlMap* map, JointRow* row) {
+  const UnitSpellings& units = row->type == JointType::kRevolute ? AngleUnits() : LengthUnits();
+  const std::optional<UnitValue> value = map->Find("limits", units);
+  if (!value) return;
+  Eigen::VectorXd limits(2);
+  limits << row->lower, row->upper;
+  map->Read("limits", units, 2, &limits);
+  if (!(limits[0] < limits[1])) {
+    value->value.Error("needs the lower limit first, then the larger upper one");
+    return;
+  }
+  row->lower = limits[0];
+  row->upper = limits[1];
+}
+
 /// A row of `joints`: one that moves, or one that only carries on from there.
 struct ReadRow {
   JointRow row;
@@ -98,7 +114,10 @@ ReadRow ReadJoint(const YamlValue& value, int joint_idx, const DhUnits& units) {
   for (const JointNumber& number : kJointNumbers) {
     ReadDhEntry(&map, number, units, &(read.row.*number.value));
   }
-  if (!read.fixed) ReadSign(&map, &read.row.sign);
+  if (!read.fixed) {
+    ReadSign(&map, &read.row.sign);
+    ReadLimits(&map, &read.row);
+  }
   return read;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -10,6 +12,7 @@
 #include "core/io/yaml_map.h"
 #include "core/model/joint_numbers.h"
 #include "problems/formats/problem/effects_reader.h"
+#include "problems/formats/problem/pose_reader.h"
 
 namespace dhcal {
 
@@ -85,8 +88,52 @@ void ReadRandomMotion(YamlMap* map, const RobotModel& robot, MotionSpec* motion)
   }
 }
 
+void ReadLine(const YamlValue& value, MotionLine* line) {
+  YamlMap map(value);
+  if (const std::optional<YamlValue> from = map.Require("from")) {
+    YamlMap pose(*from);
+    line->X_WQ = ReadPoseKeys(&pose);
+  }
+  if (const std::optional<YamlValue> to = map.Require("to")) {
+    YamlMap point(*to);
+    ReadVector3(&point, "xyz", &line->p_WQ_end);
+  }
+}
+
+/// `lines`, or `along_edges` of a kind that reads along edges.
+void ReadLines(YamlMap* map, const MeasurementKind& kind, MotionSpec* motion) {
+  const std::optional<YamlValue> edges = map->Find("along_edges");
+  const std::optional<YamlValue> lines = map->Find("lines");
+  if (edges.has_value() == lines.has_value()) {
+    map->value().Error(edges ? "has 'lines' beside 'along_edges'; keep one of them"
+                             : "needs 'lines: [{from: {xyz_mm, rpy_deg}, to: {xyz_mm}}]', or "
+                               "'along_edges: {length_mm, stand_off_mm}' of edges");
+    return;
+  }
+  if (edges) {
+    if (!kind.edges) {
+      edges->Error("needs a 'measurement.kind' that reads along edges: 'straight_edge'");
+    }
+    motion->along_edges.emplace();
+    YamlMap along(*edges);
+    for (const auto& [stem, length] : {std::pair("length", &motion->along_edges->length),
+                                       std::pair("stand_off", &motion->along_edges->stand_off)}) {
+      if (!along.Find(stem, LengthUnits())) {
+        edges->Error(fmt::format("lacks the key '{}_mm'", stem));
+      }
+      along.Read(stem, LengthUnits(), length, Range::Above(0));
+    }
+    return;
+  }
+  const std::optional<std::vector<YamlValue>> items = lines->List();
+  if (!items) return;
+  if (items->empty()) lines->Error("is an empty list, but at least one line is expected");
+  for (const YamlValue& item : *items) ReadLine(item, &motion->lines.emplace_back());
+}
+
 void ReadMotion(const YamlValue& value,
                 const RobotModel& robot,
+                const MeasurementKind& kind,
                 const PathResolver& resolve_path,
                 MotionSpec* motion) {
   YamlMap map(value);
@@ -94,9 +141,9 @@ void ReadMotion(const YamlValue& value,
       map.RequireKey("kind") && map.ReadChoice<MotionKind>("kind",
                                                            {{"increments", MotionKind::kIncrements},
                                                             {"random", MotionKind::kRandom},
+                                                            {"line", MotionKind::kLine},
                                                             {"file", MotionKind::kFile}},
-                                                           &motion->kind,
-                                                           {"line"});
+                                                           &motion->kind);
   if (!kind_known) {
     map.AcceptAllKeys();
     return;
@@ -111,6 +158,10 @@ void ReadMotion(const YamlValue& value,
   map.Read("poses", &motion->num_poses, 1, kMaxPoses);
   if (motion->kind == MotionKind::kRandom) return ReadRandomMotion(&map, robot, motion);
   RequireJointList(&map, "home", robot, &motion->home);
+  if (motion->kind == MotionKind::kLine) {
+    map.Read("tilt", AngleUnits(), &motion->tilt, Range::AtLeast(0));
+    return ReadLines(&map, kind, motion);
+  }
   RequireJointList(&map, "increments", robot, &motion->increments);
 }
 
@@ -147,7 +198,7 @@ void ReadSimulation(const YamlValue& value,
                     SimulationSpec* simulation) {
   YamlMap map(value);
   if (const std::optional<YamlValue> motion = map.Require("motion")) {
-    ReadMotion(*motion, robot, resolve_path, &simulation->motion);
+    ReadMotion(*motion, robot, kind, resolve_path, &simulation->motion);
   }
   if (const std::optional<YamlValue> errors = map.Find("errors")) {
     ReadErrors(*errors, robot, simulation);

@@ -20,8 +20,6 @@ const Units kLength = {{"_mm", kMillimetre}, {"_m", 1.0}};
 const Units kAngle = {{"_deg", kDegree}, {"_rad", 1.0}};
 const Units kAngleSpeed = {{"_deg_s", kDegree}, {"_rad_s", 1.0}};
 const Units kLengthSpeed = {{"_mm_s", kMillimetre}, {"_m_s", 1.0}};
-// The head's numbers are kept as written: nothing here computes with them.
-const Units kLengthAsWritten = {{"_mm", 1.0}, {"_m", 1.0}};
 
 void Add(const std::string& stem,
          const Units& units,
@@ -142,9 +140,9 @@ std::vector<KnownColumn> KnownColumns(const std::vector<JointRow>& joints) {
   Add("anchor", kNoUnit, RecordingField::kAnchor, 0, &columns);
   Add("set", kNoUnit, RecordingField::kSet, 0, &columns);
   Add("edge", kNoUnit, RecordingField::kEdge, 0, &columns);
-  Add("ruler", kLengthAsWritten, RecordingField::kHead, 0, &columns);
-  Add("height1", kLengthAsWritten, RecordingField::kHead, 1, &columns);
-  Add("height2", kLengthAsWritten, RecordingField::kHead, 2, &columns);
+  Add("ruler", kLength, RecordingField::kHead, 0, &columns);
+  Add("height1", kLength, RecordingField::kHead, 1, &columns);
+  Add("height2", kLength, RecordingField::kHead, 2, &columns);
   return columns;
 }
 

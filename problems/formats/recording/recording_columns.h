@@ -34,7 +34,7 @@ enum class RecordingField {
   kTarget,
   kAnchor,
   kSet,
-  kHead,  // the straight-edge head's numbers: known, kept, not used by this version
+  kHead,  // ruler, height1, height2 of the head over a straight edge
   kEdge,
 };
 

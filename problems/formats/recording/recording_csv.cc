@@ -75,6 +75,7 @@ void AddMeasuredColumns(const Recording& recording, Columns* columns) {
   AddMatrix({"dx_m", "dy_m", "dz_m"}, recording.displacement, columns);
   AddMatrix({"qw", "qx", "qy", "qz"}, recording.quaternion, columns);
   AddVector("distance_m", recording.distance, columns);
+  AddMatrix({"ruler_m", "height1_m", "height2_m"}, recording.head, columns);
   AddVector("sigma_m", recording.sigma, columns);
   AddVector("t_s", recording.time, columns);
   AddVector("payload_kg", recording.payload, columns);
@@ -82,6 +83,7 @@ void AddMeasuredColumns(const Recording& recording, Columns* columns) {
 
 void AddLabelColumns(const Recording& recording, Columns* columns) {
   AddLabels("anchor", recording.anchor_names, recording.anchor_idx, columns);
+  AddLabels("edge", recording.edge_names, recording.edge_idx, columns);
   AddLabels("target", recording.target_names, recording.target_idx, columns);
   AddLabels("run", recording.run_names, recording.run_idx, columns);
   if (!recording.is_test.empty()) {

@@ -18,8 +18,10 @@ class ColumnFinder {
   ColumnFinder(const CellTable& table,
                const std::vector<JointRow>& joints,
                const std::vector<ColumnAlias>& aliases,
-               FileErrors* errors)
+               FileErrors* errors,
+               JointsIn joints_in)
       : table_(table),
+        joints_in_(joints_in),
         num_joints_(static_cast<int>(joints.size())),
         known_(KnownColumns(joints)),
         names_(NameColumns(table, joints, known_, aliases, errors)),
@@ -49,6 +51,7 @@ class ColumnFinder {
   SourceLocation HeaderWhere() const { return table_.NameWhere(0); }
 
   const CellTable& table_;
+  const JointsIn joints_in_;
   const int num_joints_;
   const std::vector<KnownColumn> known_;
   const ColumnNames names_;
@@ -199,6 +202,10 @@ void ColumnFinder::CheckJoints() {
   if (num_missing > 0 && !names_.joints_refusal.empty()) {
     return errors_->Error(table_.NameWhere(names_.joints_column), names_.joints_refusal);
   }
+  if (num_missing == num_joints_ && joints_in_ == JointsIn::kSomeTables) {
+    layout_.fields.erase(RecordingField::kJoint);
+    return;
+  }
   if (num_missing > 1 && num_missing == num_joints_) {
     errors_->Error(HeaderWhere(),
                    fmt::format("the recording has no joint coordinates; the columns {} to {} are "
@@ -254,6 +261,7 @@ RecordingLayout ColumnFinder::Find() {
   CheckJoints();
   CheckComplete(RecordingField::kPosition);
   CheckComplete(RecordingField::kDisplacement);
+  CheckComplete(RecordingField::kHead);
   CheckOrientation();
   if (!table_.has_header() && !errors_->ok()) {
     layout_.unknown.clear();
@@ -271,8 +279,9 @@ RecordingLayout ColumnFinder::Find() {
 RecordingLayout FindColumns(const CellTable& table,
                             const std::vector<JointRow>& joints,
                             const std::vector<ColumnAlias>& aliases,
-                            FileErrors* errors) {
-  return ColumnFinder(table, joints, aliases, errors).Find();
+                            FileErrors* errors,
+                            JointsIn joints_in) {
+  return ColumnFinder(table, joints, aliases, errors, joints_in).Find();
 }
 
 }  // namespace dhcal

@@ -30,11 +30,15 @@ struct RecordingLayout {
   int Column(RecordingField field) const { return fields.at(field).column[0]; }
 };
 
+/// Whether a table without joint coordinates is one of ours: desired poses need none.
+enum class JointsIn { kAllTables, kSomeTables };
+
 /// Reports missing, doubled, incomplete and misnamed columns.
 RecordingLayout FindColumns(const CellTable& table,
                             const std::vector<JointRow>& joints,
                             const std::vector<ColumnAlias>& aliases,
-                            FileErrors* errors);
+                            FileErrors* errors,
+                            JointsIn joints_in = JointsIn::kAllTables);
 
 }  // namespace dhcal
 

@@ -1,5 +1,6 @@
 #include "problems/formats/recording/recording_reader.h"
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,8 +27,15 @@ struct UnknownColumns {
 /// Fills a Recording field by field from the columns found.
 class RecordingFiller {
  public:
-  RecordingFiller(const CellTable& table, const RecordingLayout& layout, FileErrors* errors)
-      : table_(table), layout_(layout), errors_(errors), cells_(table, errors) {}
+  RecordingFiller(const CellTable& table,
+                  const RecordingLayout& layout,
+                  int num_joints,
+                  FileErrors* errors)
+      : table_(table),
+        layout_(layout),
+        num_joints_(num_joints),
+        errors_(errors),
+        cells_(table, errors) {}
 
   Recording Fill();
 
@@ -48,6 +56,7 @@ class RecordingFiller {
 
   const CellTable& table_;
   const RecordingLayout& layout_;
+  int num_joints_;
   FileErrors* errors_;
   CellReader cells_;
 };
@@ -77,6 +86,10 @@ std::vector<std::string> RecordingFiller::Names(RecordingField field) const {
 }
 
 Eigen::MatrixXd RecordingFiller::Joints() {
+  if (!layout_.Has(RecordingField::kJoint)) {
+    return Eigen::MatrixXd::Constant(
+        table_.num_rows(), num_joints_, std::numeric_limits<double>::quiet_NaN());
+  }
   for (const int column : layout_.fields.at(RecordingField::kJoint).column) {
     if (column >= 0) cells_.CheckNoneBlank(column);
   }
@@ -143,15 +156,7 @@ std::vector<ExtraColumn> RecordingFiller::Extra() {
     if (numeric && blank) *list += fmt::format(" (first in line {})", *blank);
     if (!layout_.hints[i].empty()) *list += " (did you mean '" + layout_.hints[i] + "'?)";
   }
-  if (layout_.Has(RecordingField::kEdge)) {
-    unknown.of_text += unknown.of_text.empty() ? "'edge'" : ", 'edge'";
-  }
   WarnOfUnknown(unknown);
-  if (!layout_.Has(RecordingField::kHead)) return extra;
-  for (const int column : layout_.fields.at(RecordingField::kHead).column) {
-    if (column < 0) continue;
-    extra.push_back({std::string(table_.name(column)), cells_.ReadNumbers(column), true});
-  }
   return extra;
 }
 
@@ -166,6 +171,7 @@ Recording RecordingFiller::Fill() {
   recording.displacement = Coordinates(RecordingField::kDisplacement);
   recording.quaternion = ReadOrientations(layout_, cells_);
   recording.distance = Number(RecordingField::kDistance, kPositive);
+  recording.head = Coordinates(RecordingField::kHead);
   recording.sigma = Number(RecordingField::kSigma, kPositive);
   recording.time = Time();
   recording.payload = Number(RecordingField::kPayload, kNotNegative);
@@ -178,9 +184,26 @@ Recording RecordingFiller::Fill() {
   recording.run_idx = Labels(RecordingField::kRun, false, &recording.run_names);
   recording.target_idx = Labels(RecordingField::kTarget, false, &recording.target_names);
   recording.anchor_idx = Labels(RecordingField::kAnchor, true, &recording.anchor_names);
+  recording.edge_idx = Labels(RecordingField::kEdge, true, &recording.edge_names);
   recording.is_test = TestRows();
   recording.extra = Extra();
   return recording;
+}
+
+std::optional<Recording> Read(const std::string& file,
+                              const std::vector<JointRow>& joints,
+                              const std::vector<ColumnAlias>& columns,
+                              JointsIn joints_in,
+                              Diagnostics* diagnostics) {
+  FileErrors errors(file);
+  std::optional<Recording> recording;
+  if (const std::optional<CellTable> table = ReadTable(file, &errors)) {
+    const RecordingLayout layout = FindColumns(*table, joints, columns, &errors, joints_in);
+    recording = RecordingFiller(*table, layout, static_cast<int>(joints.size()), &errors).Fill();
+    recording->file = file;
+  }
+  errors.Report(diagnostics);
+  return errors.ok() ? std::move(recording) : std::nullopt;
 }
 
 }  // namespace
@@ -189,21 +212,19 @@ std::optional<Recording> ReadRecording(const std::string& file,
                                        const std::vector<JointRow>& joints,
                                        const std::vector<ColumnAlias>& columns,
                                        Diagnostics* diagnostics) {
-  FileErrors errors(file);
-  std::optional<Recording> recording;
-  if (const std::optional<CellTable> table = ReadTable(file, &errors)) {
-    const RecordingLayout layout = FindColumns(*table, joints, columns, &errors);
-    recording = RecordingFiller(*table, layout, &errors).Fill();
-    recording->file = file;
-  }
-  errors.Report(diagnostics);
-  return errors.ok() ? std::move(recording) : std::nullopt;
+  return Read(file, joints, columns, JointsIn::kAllTables, diagnostics);
 }
 
 std::optional<Recording> ReadRecording(const std::string& file,
                                        const std::vector<JointRow>& joints,
                                        Diagnostics* diagnostics) {
   return ReadRecording(file, joints, {}, diagnostics);
+}
+
+std::optional<Recording> ReadPoses(const std::string& file,
+                                   const std::vector<JointRow>& joints,
+                                   Diagnostics* diagnostics) {
+  return Read(file, joints, {}, JointsIn::kSomeTables, diagnostics);
 }
 
 }  // namespace dhcal

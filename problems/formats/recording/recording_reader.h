@@ -26,6 +26,11 @@ std::optional<Recording> ReadRecording(const std::string& file,
                                        const std::vector<JointRow>& joints,
                                        Diagnostics* diagnostics);
 
+/// A table of poses to go to, in the same columns; without joint coordinates they are NaN.
+std::optional<Recording> ReadPoses(const std::string& file,
+                                   const std::vector<JointRow>& joints,
+                                   Diagnostics* diagnostics);
+
 }  // namespace dhcal
 
 #endif  // DHCAL_PROBLEMS_FORMATS_RECORDING_RECORDING_READER_H_

@@ -1,5 +1,6 @@
 // result.json (FORMATS.md, section 3).
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/io/json_values.h"
@@ -80,6 +81,17 @@ void SetSpectrum(const FitResult& fit, Json* entry) {
   if (!observability.empty()) (*entry)["observability"] = std::move(observability);
 }
 
+/// The lower triangle, row by row; nothing where it was not computed.
+void SetCovariance(const Eigen::MatrixXd& covariance, Json* entry) {
+  if (covariance.size() == 0 || !covariance.allFinite()) return;
+  Json& rows = (*entry)["covariance"] = Json::array();
+  for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
+    std::vector<double> row;
+    for (Eigen::Index j = 0; j <= i; ++j) row.push_back(covariance(i, j));
+    rows.push_back(std::move(row));
+  }
+}
+
 Json FitToJson(const FitResult& fit) {
   Json entry = {{"solver", ToString(fit.solver)},
                 {"converged", fit.converged},
@@ -105,6 +117,7 @@ Json FitToJson(const FitResult& fit) {
     entry["parameters"] = ParametersToJson(fit.parameters);
     entry["null_space"] = NullSpaceToJson(fit.null_space);
   }
+  if (fit.usable) SetCovariance(fit.covariance, &entry);
   SetText("covariance_check", fit.covariance_check, &entry);
   Set("covariance_difference", fit.covariance_difference, &entry);
   return entry;
@@ -185,6 +198,7 @@ Json DeliveredToJson(const DeliveredModel& model) {
   object["effects"] = EffectsToJson(model.effects);
   object["parameters"] = ParametersToJson(model.fit.parameters);
   object["null_space"] = NullSpaceToJson(model.fit.null_space);
+  SetCovariance(model.fit.covariance, &object);
   return object;
 }
 

@@ -27,6 +27,21 @@ MatrixXd TwoEqualColumns() {
   return J;
 }
 
+// As a head over a dozen edges gives it: of each edge's columns two are zero, but for rounding far
+// below any number of size one.
+TEST(TruncatedSvd, ManyColumnsWithSomeOfRoundingHaveFiniteDirections) {
+  Rng rng(4);
+  constexpr int kColumns = 120;
+  MatrixXd J = RandomMatrix(kColumns, kColumns, &rng).triangularView<Eigen::Upper>();
+  for (int k = 24; k < kColumns; k += 6) {
+    J.col(k) *= 0;
+    J.col(k + 1) *= std::pow(10.0, -4.0 * k);
+  }
+  const TruncatedSvd svd = DecomposeScaled(J, VectorXd::Ones(kColumns));
+  ASSERT_TRUE(svd.U.allFinite() && svd.s.allFinite() && svd.V.allFinite());
+  EXPECT_THAT(svd.U * svd.s.asDiagonal() * svd.V.transpose(), MatrixNear(J, 1e-13));
+}
+
 TEST(TruncatedSvd, ReproducesTheScaledMatrix) {
   Rng rng(1);
   const MatrixXd J = RandomMatrix(6, 4, &rng);

@@ -136,6 +136,31 @@ TEST(ProblemReader, ReadsAnchorsOfDistances) {
   EXPECT_EQ(measurement.anchors[1].p_WA, Eigen::Vector3d(0, 2, 0));
 }
 
+TEST(ProblemReader, ReadsTheHeadAndItsEdges) {
+  const ProblemSpec spec = ReadGood("straight_edge.yaml");
+  const MeasurementSpec& measurement = spec.measurement;
+  EXPECT_EQ(measurement.noise, NoiseKind::kSharedPose);
+  EXPECT_DOUBLE_EQ(measurement.sigma.value(), 20e-6);
+  EXPECT_DOUBLE_EQ(measurement.kind.coordinates[1].noise, 0.5);
+  EXPECT_DOUBLE_EQ(measurement.kind.coordinates[2].noise, 1.5);
+  EXPECT_TRUE(measurement.head.camera.p_QS.isApprox(Eigen::Vector3d(0.02, 0, 0)));
+  EXPECT_EQ(measurement.head.camera.axis, Eigen::Vector3d::UnitZ());
+  EXPECT_TRUE(measurement.head.lasers[0].axis.isApprox(Eigen::Vector3d(0, 0.6, 0.8)));
+  EXPECT_DOUBLE_EQ(measurement.head.ruler_height, 0.004);
+  ASSERT_EQ(spec.robot.edges.size(), 2u);
+  EXPECT_TRUE(spec.robot.base_per_edge);
+  ASSERT_TRUE(spec.robot.edges[0].X_WE.has_value());
+  EXPECT_TRUE(spec.robot.edges[0].X_WE->linear().col(0).isApprox(Eigen::Vector3d::UnitY()));
+  EXPECT_EQ(spec.robot.edges[1].name, "south");
+  EXPECT_FALSE(spec.robot.edges[1].X_WE.has_value());
+  EXPECT_EQ(spec.parameters.estimate, std::vector<std::string>{"complete"});
+
+  const ProblemSpec named = ReadGood("straight_edge_names.yaml");
+  ASSERT_EQ(named.robot.edges.size(), 2u);
+  EXPECT_EQ(named.robot.edges[0].name, "north");
+  EXPECT_FALSE(named.robot.edges[0].X_WE.has_value());
+}
+
 TEST(ProblemReader, ReadsParametersAndPriorsInSi) {
   const ParameterSpec parameters = ReadGood("all_keys.yaml").parameters;
   EXPECT_THAT(parameters.estimate,

@@ -49,6 +49,8 @@ Recording FullRecording() {
   recording.displacement.row(0).setConstant(kNotSet);
   recording.quaternion = Random(kRowsOfAll, 4, &rng).rowwise().normalized();
   recording.distance = Random(kRowsOfAll, 1, &rng).cwiseAbs();
+  recording.head = Random(kRowsOfAll, 3, &rng);
+  recording.head.row(6).setConstant(kNotSet);
   recording.sigma = Random(kRowsOfAll, 1, &rng).cwiseAbs();
   recording.time = Random(kRowsOfAll, 1, &rng);
   recording.payload = Random(kRowsOfAll, 1, &rng).cwiseAbs();
@@ -61,10 +63,12 @@ Recording FullRecording() {
   recording.run_names = {"first, with comma", "\"second\""};
   recording.target_names = {"#1", "\u00dcber"};
   recording.anchor_names = {"post"};
+  recording.edge_names = {"low", "high"};
   for (int i = 0; i < kRowsOfAll; ++i) {
     recording.run_idx.push_back(i < 15 ? 0 : 1);
     recording.target_idx.push_back(i % 2);
     recording.anchor_idx.push_back(i % 3 == 0 ? -1 : 0);
+    recording.edge_idx.push_back(i == 7 ? -1 : i < 12 ? 0 : 1);
     recording.is_test.push_back(i % 5 == 0);
   }
   recording.extra = {{"humidity", Random(kRowsOfAll, 1, &rng)}};
@@ -88,6 +92,7 @@ void ExpectSame(const Recording& a, const Recording& b) {
   ExpectSame(a.p_WQ, b.p_WQ, "p_WQ");
   ExpectSame(a.displacement, b.displacement, "displacement");
   ExpectSame(a.distance, b.distance, "distance");
+  ExpectSame(a.head, b.head, "head");
   ExpectSame(a.sigma, b.sigma, "sigma");
   ExpectSame(a.time, b.time, "time");
   ExpectSame(a.payload, b.payload, "payload");
@@ -103,6 +108,8 @@ void ExpectSame(const Recording& a, const Recording& b) {
   EXPECT_EQ(a.target_idx, b.target_idx);
   EXPECT_EQ(a.anchor_names, b.anchor_names);
   EXPECT_EQ(a.anchor_idx, b.anchor_idx);
+  EXPECT_EQ(a.edge_names, b.edge_names);
+  EXPECT_EQ(a.edge_idx, b.edge_idx);
   EXPECT_EQ(a.is_test, b.is_test);
   ASSERT_EQ(a.extra.size(), b.extra.size());
   EXPECT_EQ(a.extra[0].name, b.extra[0].name);
@@ -124,8 +131,9 @@ TEST(RecordingToCsv, ReadsBackToTheLastBit) {
 TEST(RecordingToCsv, NamesColumnsByJointTypeInSiUnits) {
   const std::string csv = RecordingToCsv(FullRecording(), TwoJointRobot());
   EXPECT_THAT(csv,
-              StartsWith("q1_rad,q2_m,x_m,y_m,z_m,dx_m,dy_m,dz_m,qw,qx,qy,qz,distance_m,sigma_m,"
-                         "t_s,payload_kg,anchor,target,run,set,dir1,dir2,qd1_rad_s,qd2_m_s,"
+              StartsWith("q1_rad,q2_m,x_m,y_m,z_m,dx_m,dy_m,dz_m,qw,qx,qy,qz,distance_m,ruler_m,"
+                         "height1_m,height2_m,sigma_m,t_s,payload_kg,anchor,edge,target,run,set,"
+                         "dir1,dir2,qd1_rad_s,qd2_m_s,"
                          "torque1_Nm,torque2_N,temperature1_C,temperature2_C,humidity\n"));
 }
 

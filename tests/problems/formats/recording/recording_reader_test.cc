@@ -80,6 +80,30 @@ TEST(RecordingReader, ReadsCircumstancesInSi) {
   EXPECT_EQ(recording.torque.row(0), Eigen::RowVector2d(1.5, -2.5));
 }
 
+TEST(RecordingReader, PosesNeedNoJoints) {
+  const TempFile file("x_mm,y_mm,z_mm,roll_deg,pitch_deg,yaw_deg\n1,2,3,0,0,90\n");
+  Diagnostics diagnostics;
+  const auto poses = ReadPoses(file.path(), JointsOf("RRP"), &diagnostics);
+  ASSERT_TRUE(poses.has_value()) << diagnostics.ToString();
+  ASSERT_EQ(poses->num_rows(), 1);
+  EXPECT_EQ(poses->num_joints(), 3);
+  EXPECT_TRUE(poses->q.array().isNaN().all());
+  EXPECT_TRUE(poses->p_WQ.isApprox(Eigen::RowVector3d(1e-3, 2e-3, 3e-3)));
+  // A part of the joints is a mistake.
+  const TempFile part("x_mm,y_mm,z_mm,q1_deg\n1,2,3,4\n");
+  EXPECT_FALSE(ReadPoses(part.path(), JointsOf("RRP"), &diagnostics).has_value());
+  EXPECT_FALSE(ReadRecording(file.path(), JointsOf("RRP"), &diagnostics).has_value());
+}
+
+TEST(RecordingReader, ReadsTheHeadAndItsEdge) {
+  const Recording recording = ReadAllColumns();
+  ASSERT_EQ(recording.head.rows(), 2);
+  EXPECT_TRUE(recording.head.row(0).isApprox(Eigen::RowVector3d(7e-3, 8e-3, 9e-3)));
+  EXPECT_TRUE(recording.head.row(1).array().isNaN().all());
+  EXPECT_THAT(recording.edge_names, ElementsAre("front"));
+  EXPECT_THAT(recording.edge_idx, ElementsAre(0, -1));
+}
+
 TEST(RecordingReader, LabelsBecomeIndices) {
   const Recording recording = ReadAllColumns();
   EXPECT_THAT(recording.run_names, ElementsAre("morning", "even,ing"));
@@ -94,16 +118,14 @@ TEST(RecordingReader, OtherNumbersAreKeptAndTextsNamedInOneWarning) {
   std::string messages;
   const Recording recording =
       ReadRowsOf(DHCAL_SOURCE_DIR "/tests/data/good/all_columns.csv", "RP", &messages);
-  ASSERT_EQ(recording.extra.size(), 4u);
+  ASSERT_EQ(recording.extra.size(), 1u);
   EXPECT_EQ(recording.extra[0].name, "humidity");
   EXPECT_EQ(recording.extra[0].values[0], 0.4);
   EXPECT_TRUE(std::isnan(recording.extra[0].values[1]));
-  EXPECT_EQ(recording.extra[1].name, "ruler_mm");
-  EXPECT_EQ(recording.extra[3].name, "height2_mm");
   EXPECT_THAT(messages,
               HasSubstr("all_columns.csv:2:1: warning: unknown columns, ignored because of blank "
                         "cells: 'humidity' (first in line 5); columns of text, ignored: "
-                        "'operator', 'edge'\n"));
+                        "'operator'\n"));
 }
 
 TEST(RecordingReader, UnknownColumnsWithBlankOrNanCellsAreSaidToBeIgnored) {

@@ -71,6 +71,14 @@ TEST(ResultToJson, HasTheKeysOfSchemaOne) {
                                    "in_null_space"));
 }
 
+TEST(ResultToJson, HasTheLowerTriangleOfTheCovariance) {
+  Result result = ExampleResult();
+  result.fits[0].covariance.resize(2, 2);
+  result.fits[0].covariance << 4e-10, -1e-10, -1e-10, 9e-10;
+  const json expected = json::parse("[[4e-10], [-1e-10, 9e-10]]");
+  EXPECT_EQ(Parsed(result)["fits"][0]["covariance"], expected);
+}
+
 TEST(ResultToJson, HasTheKeysOfAFit) {
   const json fit = Parsed(ExampleResult())["fits"][0];
   EXPECT_THAT(Keys(fit),
