@@ -166,6 +166,15 @@ struct RowSetAside {
   double size = kNotSet;  // [m] how far it lies off
 };
 
+/// How a joint errs at the rows, as the readings show it: for reports. Three vectors of one length,
+/// [rad] of a revolute joint, [m] of a prismatic one, in DH's sense.
+struct JointErrors {
+  int joint_idx = -1;
+  std::vector<double> q;         // as the controller reports it
+  std::vector<double> error;     // what the effects found add to the joint, and what the row leaves
+  std::vector<double> modelled;  // the former alone
+};
+
 /// What calibrated.yaml holds where physics or missing geometry was found: geometry and effects
 /// fitted together.
 struct DeliveredModel {
@@ -177,6 +186,7 @@ struct DeliveredModel {
   /// The robot without the effects, for controllers that take Denavit-Hartenberg rows only; absent
   /// where no effects were found.
   std::optional<RobotModel> rigid;
+  std::vector<JointErrors> joint_errors;  // of joints with effects, where points are measured
 };
 
 struct Result {

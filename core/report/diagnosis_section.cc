@@ -222,20 +222,21 @@ Table CurveTable(const Unexplained& rest) {
 
 Figure CurveFigure(const Unexplained& rest) {
   const ShownUnit driver = UnitOfDriver(rest.driver_unit);
-  Figure figure;
-  figure.caption = fmt::format(
-      "What is not explained, as a change of {} that depends on {}.", rest.slot, rest.driver);
-  figure.x = {rest.driver, driver.name};
-  figure.y = {rest.slot, rest.unit == Unit::kRadian ? "mrad" : "mm"};
-  Figure::Series series;
+  Plot plot;
+  plot.x = {rest.driver, driver.name};
+  plot.y = {rest.slot, rest.unit == Unit::kRadian ? "mrad" : "mm"};
+  Plot::Series series;
   series.name = "not explained";
   for (const CurvePoint& point : rest.curve) {
     series.x.push_back(point.driver_value / driver.size);
     series.y.push_back(point.amount / kMilli);
     series.sigma.push_back(point.sigma / kMilli);
   }
-  figure.series = {series};
-  return figure;
+  plot.series = {series};
+  return {
+      fmt::format(
+          "What is not explained, as a change of {} that depends on {}.", rest.slot, rest.driver),
+      {plot}};
 }
 
 Table MovedTable(const std::vector<MovedParameter>& moved) {

@@ -4,6 +4,7 @@
 #define DHCAL_CORE_REPORT_DOCUMENT_H_
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -63,30 +64,65 @@ struct Table {
   std::vector<Row> rows;
 };
 
-/// Numbers to be drawn. Its caption says what they show; what a reader must know of them stands in
-/// the text, too, for renderers that cannot draw.
-struct Figure {
+/// Numbers to be drawn in one pair of axes.
+struct Plot {
   struct Axis {
     std::string title;
-    std::string unit;          // of the numbers: "m"; empty = none
-    bool logarithmic = false;  // all numbers on it are above zero
+    std::string unit;                     // of the numbers: "m"; empty = none
+    bool logarithmic = false;             // all numbers on it are above zero
+    std::vector<std::string> names = {};  // stand at 0, 1, 2 ... instead of numbers
+  };
+  enum class Mark {
+    kLine,    // with a mark at each point
+    kCurve,   // without
+    kPoints,  //
+    kSteps,   // y holds from one x to the next, filled down to zero; the last y is zero
+    kArrows,  // from (x, y) by (dx, dy)
+    kCells,   // unit squares around (x, y)
+    kBars,    // from zero to y, of unit width around x
+  };
+  enum class Tone {
+    kOwn,     // the next of a row of colours
+    kBefore,  // of what is corrected
+    kAfter,
+    kMuted,  // what cannot be relied on, or is not the point
   };
   /// Points in order, all finite.
   struct Series {
-    std::string name;
-    std::vector<double> x, y;
-    std::vector<double> sigma;  // of y, one standard deviation each; empty = not known
+    std::string name;  // in the key; may be empty
+    std::vector<double> x = {}, y = {};
+    std::vector<double> sigma = {};  // of y, one standard deviation each; empty = not known.
+                                     // Drawn as 95 % intervals
+    Mark mark = Mark::kLine;
+    Tone tone = Tone::kOwn;
+    std::vector<double> dx = {}, dy = {};  // kArrows
+    int shade = kShades;                   // kCells: from 1, faint, to kShades, strong
+    bool on_right = false;                 // kCurve: y is on the axis at the right
   };
   /// A line across at one y.
   struct Level {
     std::string name;
     double y = 0;
   };
+  static constexpr int kShades = 4;
 
-  std::string caption;  // one sentence
+  std::string title;  // of one among several; may be empty
   Axis x, y;
+  std::optional<Axis> y_right;
   std::vector<Series> series;
   std::vector<Level> levels;
+  bool lying = false;       // x runs downward and y to the right: for names along x
+  bool same_scale = false;  // a millimetre of x is as long as one of y
+};
+
+/// Plots side by side under one caption, which says what to see. What a reader must know of them
+/// stands in the text, too, for renderers that cannot draw.
+struct Figure {
+  std::string caption;
+  std::vector<Plot> plots;
+
+  /// True when there is nothing to show.
+  bool empty() const { return plots.empty(); }
 };
 
 using Block = std::variant<Paragraph, List, Table, Figure>;
@@ -101,7 +137,8 @@ struct Section {
 
 struct Document {
   std::string title;
-  std::string program;  // that made it, with its version
+  std::string program;          // that made it, with its version
+  std::vector<Section> answer;  // the sections in short, for forms that open with a page of that
   std::vector<Section> sections;
 };
 

@@ -151,7 +151,9 @@ std::string FilesText(const Result& result, const std::string& folder) {
   if (result.delivered && result.delivered->rigid) names.emplace_back("calibrated_rigid.yaml");
   if (!result.residuals.empty()) names.emplace_back("residuals.csv");
   names.emplace_back("result.json");
-  return fmt::format("{}/: {}, and report.txt with all details", folder, fmt::join(names, ", "));
+  return fmt::format("{}/: {}, and report.html (as text report.txt) with all details",
+                     folder,
+                     fmt::join(names, ", "));
 }
 
 Section EndSection(const Result& result, const std::string& folder) {

@@ -158,21 +158,23 @@ List QualityNumbers(const FitResult& fit) {
 
 /// The spectrum, and where it was cut. Values of exactly zero have no place on its axis.
 Figure SpectrumFigure(const FitResult& fit) {
-  Figure figure;
-  figure.caption =
-      "Singular values in descending order; those at or below the cut were set to zero.";
-  figure.x = {"number", ""};
-  figure.y = {"singular value", "", true};
-  Figure::Series series;
+  Plot plot;
+  plot.x = {"number", ""};
+  plot.y = {"singular value", "", true};
+  Plot::Series series;
   series.name = fit.singular_values_of;
   for (std::size_t i = 0; i < fit.singular_values.size(); ++i) {
     if (!(fit.singular_values[i] > 0)) continue;
     series.x.push_back(static_cast<double>(i + 1));
     series.y.push_back(fit.singular_values[i]);
   }
-  if (!series.x.empty()) figure.series.push_back(series);
-  if (fit.truncation_cut > 0) figure.levels.push_back({"cut", fit.truncation_cut});
-  return figure;
+  if (series.x.empty()) return {};
+  plot.series.push_back(series);
+  if (fit.truncation_cut > 0) plot.levels.push_back({"cut", fit.truncation_cut});
+  return {
+      "Singular values in descending order; those at or below the cut were set to zero: what they "
+      "stand for cannot be read off these poses.",
+      {plot}};
 }
 
 }  // namespace
@@ -197,7 +199,7 @@ Section QualitySection(const Result& result) {
   const List numbers = QualityNumbers(*fit);
   if (!numbers.items.empty()) section.blocks.push_back(numbers);
   const Figure spectrum = SpectrumFigure(*fit);
-  if (!spectrum.series.empty()) section.blocks.push_back(spectrum);
+  if (!spectrum.empty()) section.blocks.push_back(spectrum);
   return section;
 }
 

@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "core/model/problem_spec.h"
+#include "core/model/recording.h"
 #include "core/model/result.h"
 #include "core/report/document.h"
 
 namespace dhcal {
 
 /// What was asked, what was found, what can be trusted, what cannot and why.
-Document ReportOf(const ProblemSpec& spec, const Result& result);
+/// Figures of an empty `recording` are left out.
+Document ReportOf(const ProblemSpec& spec, const Recording& recording, const Result& result);
 
 /// A document without sections, of the same title.
 Document EmptyReport(const Result& result);

@@ -59,16 +59,12 @@ Table TraceTable(const FitResult& fit) {
 
 /// One quantity of all iterations, a series per solver. Iterations in which it is not known, or
 /// zero, have no point on a logarithmic axis.
-Figure TraceFigure(const Result& result,
-                   double IterationRecord::*quantity,
-                   const Figure::Axis& axis,
-                   const std::string& caption) {
-  Figure figure;
-  figure.caption = caption;
-  figure.x = {"iteration", ""};
-  figure.y = axis;
+Plot TracePlot(const Result& result, double IterationRecord::*quantity, const Plot::Axis& axis) {
+  Plot plot;
+  plot.x = {"iteration", ""};
+  plot.y = axis;
   for (const FitResult& fit : result.fits) {
-    Figure::Series series;
+    Plot::Series series;
     series.name = SolverName(fit.solver);
     for (const IterationRecord& record : fit.trace) {
       const double value = record.*quantity;
@@ -76,21 +72,23 @@ Figure TraceFigure(const Result& result,
       series.x.push_back(record.iteration);
       series.y.push_back(value);
     }
-    if (!series.x.empty()) figure.series.push_back(series);
+    if (!series.x.empty()) plot.series.push_back(series);
   }
-  return figure;
+  return plot;
 }
 
 /// How the fits came to their ends.
-std::vector<Figure> TraceFigures(const Result& result) {
-  return {TraceFigure(result,
-                      &IterationRecord::cost,
-                      {"cost", "", true},
-                      "Half the sum of whitened squares after each iteration."),
-          TraceFigure(result,
-                      &IterationRecord::kappa_norm,
-                      {"||J drho - dx||", "m", true},
-                      "What the linear model of each iteration leaves of the residuals.")};
+Figure TraceFigure(const Result& result) {
+  Figure figure;
+  figure.caption =
+      "Convergence: half the sum of whitened squares after each iteration, and what the linear "
+      "model of each iteration leaves of the residuals. A fit is done where the lines are level.";
+  for (const Plot& plot :
+       {TracePlot(result, &IterationRecord::cost, {"cost", "", true}),
+        TracePlot(result, &IterationRecord::kappa_norm, {"||J drho - dx||", "m", true})}) {
+    if (!plot.series.empty()) figure.plots.push_back(plot);
+  }
+  return figure;
 }
 
 }  // namespace
@@ -111,9 +109,8 @@ Section SolverSection(const Result& result) {
   for (const FitResult& fit : result.fits) {
     if (!fit.trace.empty()) section.blocks.push_back(TraceTable(fit));
   }
-  for (const Figure& figure : TraceFigures(result)) {
-    if (!figure.series.empty()) section.blocks.push_back(figure);
-  }
+  const Figure traces = TraceFigure(result);
+  if (!traces.empty()) section.blocks.push_back(traces);
   return section;
 }
 

@@ -92,14 +92,14 @@ std::string Head(const Document& document) {
 }  // namespace
 
 std::string ToText(const Section& section) {
-  if (section.empty()) return "";
-  std::string text = section.title.empty() ? "" : "\n" + section.title + "\n";
+  std::string text;
   for (const Block& block : section.blocks) {
     const std::string own =
         std::visit([](const auto& alternative) { return BlockText(alternative); }, block);
     if (!own.empty()) text += "\n" + own;
   }
-  return text;
+  // A section of figures alone says nothing here.
+  return text.empty() || section.title.empty() ? text : "\n" + section.title + "\n" + text;
 }
 
 std::string ToText(const Document& document) {

@@ -10,6 +10,7 @@
 #include "core/base/units.h"
 #include "problems/diagnosis/complete_fit.h"
 #include "problems/diagnosis/completions.h"
+#include "problems/diagnosis/joint_errors.h"
 #include "problems/fit_analysis.h"
 #include "problems/judgement.h"
 #include "problems/noise.h"
@@ -204,6 +205,7 @@ void Deliver(const ProblemSpec& user,
         d.rms_train_after / kMillimetre));
   }
   AddPredictions(own, *analysis, result);
+  model.joint_errors = JointErrorsOf(own.calibration, state, result->residuals);
   result->delivered = std::move(model);
 }
 

@@ -86,8 +86,13 @@ TEST_F(Program, WritesTheWholeResultFolderAndPrintsItsReport) {
   EXPECT_THAT(outcome.err, IsEmpty());
   EXPECT_EQ(Files("."), std::set<std::string>{"kr15_result"});
   EXPECT_EQ(Files("kr15_result"),
-            (std::set<std::string>{
-                "calibrated.yaml", "recording.csv", "report.txt", "residuals.csv", "result.json"}));
+            (std::set<std::string>{"calibrated.py",
+                                   "calibrated.yaml",
+                                   "recording.csv",
+                                   "report.html",
+                                   "report.txt",
+                                   "residuals.csv",
+                                   "result.json"}));
   EXPECT_LT(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 25) << "one screen";
   EXPECT_THAT(outcome.out, HasSubstr("Files kr15_result/: calibrated.yaml"));
   const std::string report = ReadAll(folder_ / "work/kr15_result/report.txt");

@@ -1,5 +1,6 @@
-# Precompiles what most files include: two sets, without and with GoogleTest. For the sanitizer build
-# only: a file that lacks an include compiles with this, and must fail in the release build.
+# Precompiles what most files include: two sets, without and with GoogleTest. A fifth of the time to
+# build. A file that lacks an include compiles with this: the `dev` build, of single files and without
+# it, shows that; of the standard library cpplint does.
 
 set(headers
     <algorithm>

@@ -149,7 +149,8 @@ void KeepGeometry(const Job& job, const Result& geometry, ProgressPrinter* print
 
 /// The first screen, or the whole report.
 void Print(bool verbose, const Job& job, const Result& result, const std::string& folder) {
-  std::cout << ToText(verbose ? ReportOf(job.spec, result) : FirstScreenOf(result, folder))
+  std::cout << ToText(verbose ? ReportOf(job.spec, job.recording, result)
+                              : FirstScreenOf(result, folder))
             << std::flush;
   if (verbose && !folder.empty()) std::cout << "Results are in " << folder << "/\n" << std::flush;
 }

@@ -26,11 +26,12 @@ constexpr char kResultJson[] = "result.json";  // every result has it
 constexpr char kRecordingCsv[] = "recording.csv";
 constexpr char kCalibrated[] = "calibrated.yaml";
 constexpr char kRigid[] = "calibrated_rigid.yaml";
+constexpr char kPython[] = "calibrated.py";
 
 const std::vector<std::string>& OwnNames() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all = {
-        kResultJson, kCalibrated, kRigid, "residuals.csv", kRecordingCsv};
+        kResultJson, kCalibrated, kRigid, kPython, "residuals.csv", kRecordingCsv};
     for (const ReportFormat& format : ReportFormats()) all.emplace_back(format.file);
     return all;
   }();
@@ -117,22 +118,23 @@ std::string ReadBytes(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The robot to run again: what the report announces and, where that has effects which were found,
-/// the robot without them.
+/// The robot to run again: what the report announces, for Python, too, and where that has effects
+/// which were found, the robot without them.
 void AddCalibrated(const ProblemSpec& spec,
                    const Recording& recording,
                    const Result& result,
                    const std::string& recording_path,
                    std::vector<NamedContent>* files) {
-  const auto add =
-      [&](const char* name, const RobotModel& robot, const std::vector<EffectRequest>& effects) {
-        files->push_back({name, CalibratedYaml(spec, robot, effects, recording_path)});
-      };
   const std::vector<EffectRequest> of_file =
       EffectsAsFound(spec, recording, result.best()->parameters);
-  if (!result.delivered) return add(kCalibrated, result.calibrated, of_file);
-  add(kCalibrated, result.delivered->robot, result.delivered->effects);
-  if (result.delivered->rigid) add(kRigid, *result.delivered->rigid, of_file);
+  const RobotModel& robot = result.delivered ? result.delivered->robot : result.calibrated;
+  const std::vector<EffectRequest>& effects =
+      result.delivered ? result.delivered->effects : of_file;
+  files->push_back({kCalibrated, CalibratedYaml(spec, robot, effects, recording_path)});
+  files->push_back({kPython, CalibratedPython(spec.name, robot, effects)});
+  if (!result.delivered || !result.delivered->rigid) return;
+  files->push_back(
+      {kRigid, CalibratedYaml(spec, *result.delivered->rigid, of_file, recording_path)});
 }
 
 /// The folder's files. Throws std::runtime_error when an input has gone since it was read.
@@ -141,7 +143,7 @@ std::vector<NamedContent> Compose(const ProblemSpec& spec,
                                   const Result& result,
                                   const fs::path& folder) {
   std::vector<NamedContent> files = {{kResultJson, ResultToJson(result)}};
-  const Document report = ReportOf(spec, result);
+  const Document report = ReportOf(spec, recording, result);
   for (const ReportFormat& format : ReportFormats()) {
     files.push_back({format.file, format.render(report)});
   }

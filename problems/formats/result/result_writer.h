@@ -35,6 +35,13 @@ std::string CalibratedYaml(const ProblemSpec& spec,
                            const std::vector<EffectRequest>& effects,
                            const std::string& recording_path);
 
+/// The same model as a Python module without dependencies: forward and inverse kinematics with
+/// those effects that depend on the pose and its approach. What it cannot hold it names, and
+/// refuses to compute without.
+std::string CalibratedPython(const std::string& problem,
+                             const RobotModel& calibrated,
+                             const std::vector<EffectRequest>& effects);
+
 /// Checks, before anything is computed, that `directory` can be written: it is absent, empty, or
 /// holds only files of an earlier result. Otherwise adds an error.
 void CheckResultDirectory(const std::string& directory, Diagnostics* diagnostics);

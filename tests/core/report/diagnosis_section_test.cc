@@ -132,12 +132,14 @@ TEST(DiagnosisSection, DrawsTheCurveThatItPrints) {
     if (std::holds_alternative<Figure>(block)) figure = &std::get<Figure>(block);
   }
   ASSERT_NE(figure, nullptr);
-  EXPECT_EQ(figure->x.unit, "deg");
-  EXPECT_EQ(figure->y.unit, "mrad");
-  ASSERT_EQ(figure->series.size(), 1u);
-  EXPECT_THAT(figure->series[0].x, testing::ElementsAre(testing::DoubleNear(30, 1e-12)));
-  EXPECT_THAT(figure->series[0].y, testing::ElementsAre(testing::DoubleNear(0.1, 1e-12)));
-  EXPECT_THAT(figure->series[0].sigma, testing::ElementsAre(testing::DoubleNear(0.01, 1e-12)));
+  ASSERT_EQ(figure->plots.size(), 1u);
+  const Plot& plot = figure->plots[0];
+  EXPECT_EQ(plot.x.unit, "deg");
+  EXPECT_EQ(plot.y.unit, "mrad");
+  ASSERT_EQ(plot.series.size(), 1u);
+  EXPECT_THAT(plot.series[0].x, testing::ElementsAre(testing::DoubleNear(30, 1e-12)));
+  EXPECT_THAT(plot.series[0].y, testing::ElementsAre(testing::DoubleNear(0.1, 1e-12)));
+  EXPECT_THAT(plot.series[0].sigma, testing::ElementsAre(testing::DoubleNear(0.01, 1e-12)));
 }
 
 TEST(DiagnosisSection, NumbersThatAreNotKnownAreNotPrinted) {

@@ -105,7 +105,7 @@ std::vector<Figure> FiguresOf(const Document& document) {
 }
 
 TEST(Document, IsSaidInFullByASecondRenderer) {
-  const Document report = ReportOf(ExampleSpec(), WholeResult());
+  const Document report = ReportOf(ExampleSpec(), ExampleRecording(), WholeResult());
   std::multiset<std::string> markdown = PlainWords(MarkdownRenderer()(report));
   for (const std::string& word : PlainWords(ToText(report))) {
     // Entries of a list are numbered by whoever reads the Markdown.
@@ -117,7 +117,8 @@ TEST(Document, IsSaidInFullByASecondRenderer) {
 }
 
 TEST(Document, OfAFailureIsSaidInFullByASecondRenderer) {
-  const std::string markdown = MarkdownRenderer()(ReportOf(ExampleSpec(), DivergedResult()));
+  const std::string markdown =
+      MarkdownRenderer()(ReportOf(ExampleSpec(), ExampleRecording(), DivergedResult()));
   EXPECT_THAT(markdown, HasSubstr("## NO USABLE RESULT"));
   EXPECT_THAT(markdown, HasSubstr("The cost grew from 17 to 1.3e+12 in 20 iterations."));
 }
@@ -125,16 +126,17 @@ TEST(Document, OfAFailureIsSaidInFullByASecondRenderer) {
 TEST(Document, HasNoEmptySections) {
   Result bare;
   bare.fits.resize(1);
-  for (const Document& report : {ReportOf(ExampleSpec(), WholeResult()),
-                                 ReportOf(ExampleSpec(), DivergedResult()),
-                                 ReportOf(ProblemSpec(), bare)}) {
+  for (const Document& report : {ReportOf(ExampleSpec(), ExampleRecording(), WholeResult()),
+                                 ReportOf(ExampleSpec(), ExampleRecording(), DivergedResult()),
+                                 ReportOf(ProblemSpec(), ExampleRecording(), bare)}) {
     for (const Section& section : report.sections) EXPECT_FALSE(section.empty()) << section.title;
   }
 }
 
 TEST(Document, TablesHaveACellForEachColumnOrSayWhatIsLeftOut) {
   int tables = 0;
-  for (const Section& section : ReportOf(ExampleSpec(), WholeResult()).sections) {
+  for (const Section& section :
+       ReportOf(ExampleSpec(), ExampleRecording(), WholeResult()).sections) {
     for (const Block& block : section.blocks) {
       const auto* const table = std::get_if<Table>(&block);
       if (table == nullptr) continue;
@@ -150,43 +152,113 @@ TEST(Document, TablesHaveACellForEachColumnOrSayWhatIsLeftOut) {
   EXPECT_EQ(tables, 12);
 }
 
+/// All axes of all figures.
+std::vector<Plot> PlotsOf(const Document& document) {
+  std::vector<Plot> plots;
+  for (const Figure& figure : FiguresOf(document)) {
+    plots.insert(plots.end(), figure.plots.begin(), figure.plots.end());
+  }
+  return plots;
+}
+
 TEST(Document, FiguresCanBeDrawn) {
-  const std::vector<Figure> figures = FiguresOf(ReportOf(ExampleSpec(), WholeResult()));
-  EXPECT_EQ(figures.size(), 4u);  // cost, kappa, the curve, singular values
-  for (const Figure& figure : figures) {
-    EXPECT_EQ(figure.caption.back(), '.');
-    EXPECT_FALSE(figure.x.title.empty() || figure.y.title.empty()) << figure.caption;
-    EXPECT_FALSE(figure.series.empty()) << figure.caption;
-    for (const Figure::Series& series : figure.series) {
-      ASSERT_EQ(series.x.size(), series.y.size()) << figure.caption;
+  const Document report = ReportOf(ExampleSpec(), ExampleRecording(), WholeResult());
+  for (const Figure& figure : FiguresOf(report)) {
+    EXPECT_EQ(figure.caption.back(), '.') << figure.caption;
+    EXPECT_FALSE(figure.plots.empty()) << figure.caption;
+  }
+  for (const Plot& plot : PlotsOf(report)) {
+    EXPECT_FALSE(plot.y.title.empty());
+    EXPECT_FALSE(plot.x.title.empty() && plot.x.names.empty()) << plot.y.title;
+    EXPECT_FALSE(plot.series.empty()) << plot.y.title;
+    for (const Plot::Series& series : plot.series) {
+      ASSERT_EQ(series.x.size(), series.y.size()) << plot.y.title;
       EXPECT_TRUE(series.sigma.empty() || series.sigma.size() == series.y.size());
+      EXPECT_FALSE(series.on_right && !plot.y_right) << plot.y.title;
       for (std::size_t i = 0; i < series.x.size(); ++i) {
-        EXPECT_TRUE(std::isfinite(series.x[i]) && std::isfinite(series.y[i])) << figure.caption;
-        EXPECT_TRUE(!figure.y.logarithmic || series.y[i] > 0) << figure.caption;
+        EXPECT_TRUE(std::isfinite(series.x[i]) && std::isfinite(series.y[i])) << plot.y.title;
+        EXPECT_TRUE(!plot.y.logarithmic || series.y[i] > 0) << plot.y.title;
+        EXPECT_TRUE(!plot.x.logarithmic || series.x[i] > 0) << plot.x.title;
       }
     }
   }
 }
 
+TEST(Document, HasAFigureOfAllThatTheResultHolds) {
+  const Document report = ReportOf(ExampleSpec(), ExampleRecording(), WholeResult());
+  std::vector<std::string> captions;
+  for (const Figure& figure : FiguresOf(report)) captions.push_back(figure.caption);
+  using testing::Contains;
+  using testing::StartsWith;
+  for (const char* const of : {"Joint positions",
+                               "Errors of all",
+                               "Errors over the workspace",
+                               "What is not explained",
+                               "Evidence",
+                               "Detection limits",
+                               "Corrections",
+                               "Errors in the order",
+                               "What calibrated.yaml leaves",
+                               "Convergence",
+                               "Singular values",
+                               "Mismatch map"}) {
+    EXPECT_THAT(captions, Contains(StartsWith(of)));
+  }
+}
+
+TEST(Document, HasNoFigureWhereThereIsNothingToShow) {
+  Result bare = ExampleResult();
+  bare.residuals.clear();
+  bare.fits.resize(1);
+  bare.fits[0].trace.clear();
+  bare.fits[0].singular_values.clear();
+  bare.fits[0].parameters.clear();
+  EXPECT_THAT(FiguresOf(ReportOf(ExampleSpec(), Recording(), bare)), testing::IsEmpty());
+}
+
 TEST(Document, FiguresHoldTheNumbersOfTheResult) {
   const Result result = WholeResult();
-  const std::vector<Figure> figures = FiguresOf(ReportOf(ExampleSpec(), result));
   const FitResult& fit = result.fits[0];
   bool spectrum = false, cost = false;
-  for (const Figure& figure : figures) {
-    if (figure.y.title == "singular value") {
+  for (const Plot& plot : PlotsOf(ReportOf(ExampleSpec(), ExampleRecording(), result))) {
+    if (plot.y.title == "singular value") {
       spectrum = true;
-      EXPECT_EQ(figure.series[0].y, fit.singular_values);
-      ASSERT_EQ(figure.levels.size(), 1u);
-      EXPECT_EQ(figure.levels[0].y, fit.truncation_cut);
-    } else if (figure.y.title == "cost") {
+      EXPECT_EQ(plot.series[0].y, fit.singular_values);
+      ASSERT_EQ(plot.levels.size(), 1u);
+      EXPECT_EQ(plot.levels[0].y, fit.truncation_cut);
+    } else if (plot.y.title == "cost") {
       cost = true;
-      ASSERT_EQ(figure.series.size(), 2u);
-      ASSERT_EQ(figure.series[1].y.size(), result.fits[1].trace.size());
-      EXPECT_EQ(figure.series[1].y.back(), result.fits[1].trace.back().cost);
+      ASSERT_EQ(plot.series.size(), 2u);
+      ASSERT_EQ(plot.series[1].y.size(), result.fits[1].trace.size());
+      EXPECT_EQ(plot.series[1].y.back(), result.fits[1].trace.back().cost);
     }
   }
   EXPECT_TRUE(spectrum && cost);
+}
+
+TEST(Document, HistogramCountsEveryRowOnce) {
+  for (const Plot& plot : PlotsOf(ReportOf(ExampleSpec(), ExampleRecording(), WholeResult()))) {
+    if (plot.x.title != "error of a row") continue;
+    for (const Plot::Series& series : plot.series) {
+      double sum = 0;
+      for (const double share : series.y) sum += share;
+      // Of the bars the sum, of the running sum the last.
+      EXPECT_NEAR(series.on_right ? series.y.back() : sum, 100, 1e-9);
+    }
+    return;
+  }
+  FAIL() << "no histogram";
+}
+
+TEST(Document, OpensWithTheAnswerAndHowFarToTrustIt) {
+  const Document report = ReportOf(ExampleSpec(), ExampleRecording(), WholeResult());
+  ASSERT_GE(report.answer.size(), 4u);
+  EXPECT_EQ(report.answer[report.answer.size() - 2].title, "What can be trusted");
+  Document answer = report;
+  answer.sections = report.answer;
+  const std::string text = ToText(answer);
+  EXPECT_THAT(text, HasSubstr("Tested on 2 rows that were not fitted"));
+  EXPECT_THAT(text, HasSubstr("Of 23 numbers of the geometry 19 are measured"));
 }
 
 }  // namespace

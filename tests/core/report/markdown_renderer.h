@@ -90,27 +90,30 @@ class MarkdownRenderer {
     return text;
   }
 
-  static std::string AxisText(const Figure::Axis& axis) {
+  static std::string AxisText(const Plot::Axis& axis) {
     const std::string unit = axis.unit.empty() ? "" : fmt::format(" [{}]", axis.unit);
     return Plain(axis.title + unit + (axis.logarithmic ? ", logarithmic" : ""));
   }
 
-  /// Markdown cannot draw: the caption, and what a plotting program needs.
-  std::string BlockText(const Figure& figure) const {
-    std::string text = fmt::format("*Figure.* {}  \n{} against {}\n",
-                                   Plain(figure.caption),
-                                   AxisText(figure.y),
-                                   AxisText(figure.x));
-    for (const Figure::Series& series : figure.series) {
+  static std::string PlotText(const Plot& plot) {
+    std::string text = fmt::format("{} against {}\n", AxisText(plot.y), AxisText(plot.x));
+    for (const Plot::Series& series : plot.series) {
       text += fmt::format("\n    {}\n", series.name);
       for (std::size_t i = 0; i < series.x.size(); ++i) {
         text += fmt::format("    {:g} {:g}", series.x[i], series.y[i]);
         text += series.sigma.empty() ? "\n" : fmt::format(" {:g}\n", series.sigma[i]);
       }
     }
-    for (const Figure::Level& level : figure.levels) {
+    for (const Plot::Level& level : plot.levels) {
       text += fmt::format("\n    {} {:g}\n", level.name, level.y);
     }
+    return text;
+  }
+
+  /// Markdown cannot draw: the caption, and what a plotting program needs.
+  std::string BlockText(const Figure& figure) const {
+    std::string text = fmt::format("*Figure.* {}  \n", Plain(figure.caption));
+    for (const Plot& plot : figure.plots) text += PlotText(plot);
     return text;
   }
 };

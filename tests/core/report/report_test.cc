@@ -24,7 +24,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::string TextReport(const ProblemSpec& spec, const Result& result) {
-  return ToText(ReportOf(spec, result));
+  return ToText(ReportOf(spec, ExampleRecording(), result));
 }
 
 void ExpectFits(const std::string& report) {

@@ -30,7 +30,7 @@ TEST(Guarded, TheReportHoldsTheCalibrationAndSaysThatTheDiagnosisFailed) {
   Result result = IdentifyGeometry(draw.spec, draw.recording, {});
   result.diagnosis =
       Guarded([]() -> DiagnosisResult { throw std::runtime_error("F is infinite"); });
-  const std::string report = ToText(ReportOf(draw.spec, result));
+  const std::string report = ToText(ReportOf(draw.spec, draw.recording, result));
   EXPECT_THAT(report, HasSubstr("UNMODELLED EFFECTS: FAILED"));
   EXPECT_THAT(report, HasSubstr("F is infinite"));
   EXPECT_THAT(report, HasSubstr("theta1"));

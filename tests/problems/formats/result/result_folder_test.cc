@@ -70,10 +70,14 @@ class ResultFolderTest : public testing::Test {
 
 TEST_F(ResultFolderTest, HoldsTheFilesOfTheFormat) {
   ASSERT_TRUE(Write(out_)) << diagnostics_.ToString();
-  EXPECT_THAT(
-      NamesIn(out_),
-      UnorderedElementsAre("report.txt", "result.json", "calibrated.yaml", "residuals.csv"));
-  EXPECT_EQ(ReadFile(out_ + "/report.txt"), ToText(ReportOf(spec_, result_)));
+  EXPECT_THAT(NamesIn(out_),
+              UnorderedElementsAre("report.txt",
+                                   "report.html",
+                                   "result.json",
+                                   "calibrated.yaml",
+                                   "calibrated.py",
+                                   "residuals.csv"));
+  EXPECT_EQ(ReadFile(out_ + "/report.txt"), ToText(ReportOf(spec_, recording_, result_)));
   EXPECT_EQ(ReadFile(out_ + "/result.json"), ResultToJson(result_));
   EXPECT_EQ(ReadFile(out_ + "/residuals.csv"), ResidualsToCsv(result_, recording_));
   EXPECT_THAT(ReadFile(out_ + "/calibrated.yaml"), HasSubstr("recording: ../data.csv\n"));
@@ -91,7 +95,7 @@ TEST_F(ResultFolderTest, StoresASimulatedRecording) {
 TEST_F(ResultFolderTest, HasNoCalibratedRobotWithoutAUsableFit) {
   result_ = DivergedResult();
   ASSERT_TRUE(Write(out_)) << diagnostics_.ToString();
-  EXPECT_THAT(NamesIn(out_), UnorderedElementsAre("report.txt", "result.json"));
+  EXPECT_THAT(NamesIn(out_), UnorderedElementsAre("report.txt", "report.html", "result.json"));
 }
 
 TEST_F(ResultFolderTest, KeepsARecordingThatLiesInTheFolderToBeReplaced) {
@@ -135,7 +139,7 @@ TEST_F(ResultFolderTest, LeavesForeignFilesAlone) {
     EXPECT_TRUE(fs::exists(out_ + "/" + name));
     fs::remove_all(out_ + "/" + name);
   }
-  EXPECT_EQ(ReadFile(out_ + "/report.txt"), ToText(ReportOf(spec_, result_)));
+  EXPECT_EQ(ReadFile(out_ + "/report.txt"), ToText(ReportOf(spec_, recording_, result_)));
 }
 
 TEST_F(ResultFolderTest, NamesAtMostThreeForeignFiles) {
