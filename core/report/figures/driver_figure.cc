@@ -73,7 +73,7 @@ std::vector<DriverColumn> DriversOf(const ProblemSpec& spec, const Recording& re
   AddColumns("payload", "kg", recording.payload, &all);
   AddColumns("temperature", "degC", recording.temperature, &all);
   for (const ExtraColumn& extra : recording.extra) {
-    if (!extra.is_reading) AddColumns(extra.name, "", extra.values, &all);
+    AddColumns(extra.name, "", extra.values, &all);
   }
   AddColumns("torque of joint", "N m", recording.torque, &all);
   const auto idle = [](const DriverColumn& column) { return !Varies(column); };
