@@ -59,7 +59,7 @@ std::vector<PointOfRow> PointsOf(const Calibration& c,
     PoseWithDerivatives pose;
     c.chain.PoseAndDerivatives(c.recording.q.row(row.row_idx).transpose(),
                                c.SlotDeltas(state, row.row_idx),
-                               c.frames.ends(c.recording.run(row.row_idx), c.Target(row.row_idx)),
+                               c.frames.ends(c.Labels(row.row_idx)),
                                &pose);
     points.push_back({row.row_idx, row.residual.head<3>(), std::move(pose.J_p)});
   }
