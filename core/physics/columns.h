@@ -29,6 +29,15 @@ EffectColumn TwistColumn(const PhysicsContext& context,
                          double typical,
                          const std::function<Twist(int row_idx)>& twist);
 
+/// Why what moves the base in the measurement frame cannot be told along edges.
+constexpr char kFrameOfEdges[] =
+    "each edge is a measurement frame of its own, so that the base has no common one to move in";
+
+/// True if turns of the tool about the measured point show in what was recorded.
+inline bool TurnsShow(const Recording& recording) {
+  return recording.quaternion.rows() > 0 || recording.head.rows() > 0;
+}
+
 /// One request per revolute joint (or per joint), without settings.
 std::vector<EffectRequest> EveryJoint(const PhysicsContext& context,
                                       const std::string& effect,

@@ -36,6 +36,7 @@ EffectDescription RunFrameEffect::Describe() const {
 std::string RunFrameEffect::NotTestable(const PhysicsContext& c,
                                         const EffectRequest& /*request*/) const {
   const std::size_t runs = c.recording().run_names.size();
+  if (is_base() && c.robot().base_per_edge) return kFrameOfEdges;
   if (is_base() ? c.robot().base_per_run : c.robot().tool_per_run) {
     return fmt::format("the {} has a frame for each run already", frame_);
   }
@@ -47,8 +48,7 @@ std::string RunFrameEffect::NotTestable(const PhysicsContext& c,
 std::vector<EffectColumn> RunFrameEffect::Columns(const PhysicsContext& c,
                                                   const EffectRequest& /*request*/) const {
   const Recording& recording = c.recording();
-  // Turns of the tool show in measured orientations only.
-  const bool turns = is_base() || recording.quaternion.rows() > 0;
+  const bool turns = is_base() || TurnsShow(recording);
   std::vector<EffectColumn> columns;
   for (std::size_t run = 1; run < recording.run_names.size(); ++run) {
     Eigen::VectorXd in_run = Eigen::VectorXd::Zero(c.num_rows());

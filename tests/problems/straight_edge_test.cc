@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
+#include "core/physics/columns.h"
+#include "core/physics/registry.h"
 #include "core/solver/linearization.h"
 #include "problems/assembly.h"
 #include "problems/diagnosis/design_rows.h"
@@ -176,6 +178,19 @@ TEST(StraightEdge, LeftOutPhysicsHasItsName) {
   EXPECT_EQ(diagnosis.findings[0].effect.effect, "joint_compliance");
   EXPECT_EQ(diagnosis.findings[0].effect.joint, 2);
   EXPECT_NEAR(diagnosis.findings[0].parameters[0].value / 8e-6, 1, 0.05);
+}
+
+TEST(StraightEdge, NothingMovesTheBaseInAFrameThatEdgesDoNotShare) {
+  const ProblemSpec spec = LoadCase("kr15_edges");
+  Recording recording = RecordingOf(spec);
+  recording.time = Eigen::VectorXd::LinSpaced(recording.num_rows(), 0, 3600);
+  const Calibration c(spec, recording);
+  for (const char* const name : {"base_drift", "base_step", "base_per_run"}) {
+    EffectRequest request;
+    request.effect = name;
+    request.settings = {{"time_constant_s", 0}, {"at_s", 1800}};
+    EXPECT_EQ(FindEffect(name)->NotTestable(c.Context(), request), kFrameOfEdges) << name;
+  }
 }
 
 TEST(StraightEdge, RankIsTheDerivedOne) {

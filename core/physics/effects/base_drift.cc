@@ -30,6 +30,7 @@ class BaseDriftEffect final : public Effect {
     return d;
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
+    if (c.robot().base_per_edge) return kFrameOfEdges;
     return DriftNotTestable(c, request, 0);
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,

@@ -29,6 +29,7 @@ class BaseStepEffect final : public Effect {
     return d;
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
+    if (c.robot().base_per_edge) return kFrameOfEdges;
     return StepNotTestable(c, request);
   }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,

@@ -137,7 +137,7 @@ MatrixXd MotionsOfSlots(const PhysicsContext& c) {
   constexpr double kLever = 0.5;  // [m] that makes a turn a length
   const DhChain chain(c.robot());
   const VectorXd zero = VectorXd::Zero(c.slots().size());
-  const bool turns = c.recording().quaternion.rows() > 0;
+  const bool turns = TurnsShow(c.recording());
   const int rows = std::min(c.num_rows(), kMostRows), height = turns ? 6 : 3;
   MatrixXd motions(height * rows, c.slots().size());
   PoseWithDerivatives pose;
