@@ -22,7 +22,7 @@ TEST(VaryTest, NoNumberOfTheTuningIsMissingFromTheList) {
   constexpr std::uint64_t kUntouched = std::numeric_limits<std::uint64_t>::max();
   std::vector<std::uint64_t> bytes(sizeof(Tuning) / sizeof(std::uint64_t), kUntouched);
   Tuning tuning;
-  std::memcpy(&tuning, bytes.data(), sizeof tuning);
+  std::memcpy(static_cast<void*>(&tuning), bytes.data(), sizeof tuning);
   for (const TuningNumber& number : TuningNumbers()) {
     if (number.real != nullptr) {
       tuning.*number.real = 0;
