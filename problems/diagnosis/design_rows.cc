@@ -184,7 +184,8 @@ void DesignRows::AddSeries(const std::vector<Reading>& readings) {
     const Eigen::VectorXd sigma =
         (Sigmas(c_, weights_.noise, row).array().square() + rounding).sqrt() / RootWeight(row);
     if (last.series >= 0) {
-      length2.resize(static_cast<std::size_t>(coordinates_ * num_series_));
+      length2.resize(static_cast<std::size_t>(coordinates_) *
+                     static_cast<std::size_t>(num_series_));
       for (int k = 0; k < coordinates_; ++k) {
         const int offset = coordinates_ * last.series + k;
         offsets.emplace_back(filled_ + k, offset, 1 / sigma[k]);
