@@ -25,8 +25,11 @@ std::string ValidationWords(const Result& result) {
            "predicts other poses.";
   }
   const auto shown = [&](double rms) { return WithMillimetres(InSpace(result.kind, rms)); };
-  return fmt::format("Tested on {} that were not fitted: {}, beside {} on the fitted ones ({}).",
-                     Counted(std::max(unseen.rows, 0), "row"),
+  const std::string rows = Counted(std::max(unseen.rows, 0), "row");
+  return fmt::format("{}: {}, beside {} on fitted rows ({}).",
+                     unseen.method == "set column"
+                         ? fmt::format("Tested on {} that were never fitted", rows)
+                         : fmt::format("Tested on {}, each predicted by a fit without it", rows),
                      shown(unseen.rms_test),
                      shown(unseen.rms_train),
                      ErrorName(result.kind));

@@ -64,11 +64,12 @@ footer{padding:1rem 1.25rem 2rem;font-size:.9rem}
 .answer section{padding:.8rem .9rem}dl{grid-template-columns:1fr;gap:0}dd{margin-bottom:.5rem}
 th,td{padding:.2rem .4rem}}
 @page{size:A4;margin:16mm 14mm}
-@media print{body{font-size:10pt}header,main,nav,footer{max-width:none;padding:0}
+@media print{body{font-size:10pt}h1{font-size:16pt}h2{font-size:12pt}figcaption{font-size:9pt}
+.answer section:first-child>p:first-of-type{font-size:11pt}header,main,nav,footer{max-width:none;padding:0}
 .answer{break-after:page}.answer section,figure,tr{break-inside:avoid}h2{break-after:avoid}
 section{margin:1.2rem 0}nav,.data{display:none}.table{overflow:visible}table{font-size:8pt}
 th,td{padding:.1rem .35rem}
-.plots{grid-template-columns:repeat(3,1fr)}.plots.one{max-width:12cm;grid-template-columns:1fr}
+.plots{grid-template-columns:repeat(3,1fr)}.plots.one{max-width:10cm;grid-template-columns:1fr}
 .plots.two{grid-template-columns:1fr 1fr;max-width:none}a{color:inherit;text-decoration:none}}
 )css";
 

@@ -19,7 +19,7 @@ constexpr int kPlotHeight = 320;      // [px]
 constexpr int kSquareHeight = 400;    // [px] of plots with one scale
 constexpr int kRowHeight = 19;        // [px] per name, of plots that lie
 constexpr int kHeightBeside = 95;     // [px] title, key and axis of plots that lie
-constexpr int kMostOfName = 28;       // [characters]
+constexpr int kMostOfName = 34;       // [characters]
 constexpr int kMostOfKey = 44;        // [characters]
 constexpr double kInterval95 = 1.96;  // [sigma]
 
@@ -89,22 +89,43 @@ double TicDistance(double range) {
   return power * (digit > 5 ? 10 : digit > 2 ? 5 : digit > 1 ? 2 : 1);
 }
 
-/// Gnuplot itself lets the numbers of a short axis run into each other.
-std::string TicsAlongBottom(const Plot& plot) {
-  const Plot::Axis& axis = plot.lying ? plot.y : plot.x;
-  if (axis.logarithmic || !axis.names.empty()) return "";
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  if (plot.lying) low = high = 0;  // bars begin there
-  for (const Plot::Series& series : plot.series) {
-    const std::vector<double>& values = plot.lying ? series.y : series.x;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const bool spread = plot.lying && i < series.sigma.size();
-      const double more = spread ? kInterval95 * series.sigma[i] : 0;
-      low = std::min(low, values[i] - more);
-      high = std::max(high, values[i] + more);
-    }
+/// Smallest and largest number of all series along x or y.
+struct Span {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void Add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
   }
-  return high > low ? fmt::format("set xtics {:.7g}\n", TicDistance(high - low)) : "";
+  double width() const { return high - low; }
+};
+
+Span SpanOf(const Plot& plot, std::vector<double> Plot::Series::*values) {
+  Span span;
+  for (const Plot::Series& series : plot.series) {
+    const bool spread = values == &Plot::Series::y && !series.sigma.empty();
+    for (std::size_t i = 0; i < (series.*values).size(); ++i) {
+      const double more = spread ? kInterval95 * series.sigma[i] : 0;
+      span.Add((series.*values)[i] - more);
+      span.Add((series.*values)[i] + more);
+    }
+    if (series.mark == Plot::Mark::kBars && values == &Plot::Series::y) span.Add(0);
+  }
+  return span;
+}
+
+std::string TicCommand(const char* name, const Plot::Axis& axis, const Span& span) {
+  if (axis.logarithmic || !axis.names.empty() || !(span.width() > 0)) return "";
+  return fmt::format("set {}tics {:.7g}\n", name, TicDistance(span.width()));
+}
+
+/// Gnuplot itself lets the numbers of a short axis run into each other.
+std::string TicsOfShortAxes(const Plot& plot) {
+  if (plot.lying) return TicCommand("x", plot.y, SpanOf(plot, &Plot::Series::y));
+  std::string text = TicCommand("x", plot.x, SpanOf(plot, &Plot::Series::x));
+  if (plot.same_scale) text += TicCommand("y", plot.y, SpanOf(plot, &Plot::Series::y));
+  return text;
 }
 
 int HeightOf(const Plot& plot) {
@@ -147,7 +168,7 @@ std::string FrameCommands(const Plot& plot) {
   if (plot.same_scale) text += "set size ratio -1\n";
   text += AxisCommands(plot.lying ? "y" : "x", plot.x, plot.lying);
   text += AxisCommands(plot.lying ? "x" : "y", plot.y, false);
-  text += TicsAlongBottom(plot);
+  text += TicsOfShortAxes(plot);
   if (plot.y_right) text += "set y2tics\n" + AxisCommands("y2", *plot.y_right, false);
   return text;
 }

@@ -257,7 +257,7 @@ TEST(Document, OpensWithTheAnswerAndHowFarToTrustIt) {
   Document answer = report;
   answer.sections = report.answer;
   const std::string text = ToText(answer);
-  EXPECT_THAT(text, HasSubstr("Tested on 2 rows that were not fitted"));
+  EXPECT_THAT(text, HasSubstr("Tested on 2 rows that were never fitted"));
   EXPECT_THAT(text, HasSubstr("Of 23 numbers of the geometry 19 are measured"));
 }
 

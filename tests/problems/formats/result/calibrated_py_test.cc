@@ -180,7 +180,10 @@ TEST(CalibratedPy, HoldsEffectsOfThePose) {
       Held("joint_gain", 4, {{"gain", 2e-4}}),
       Held("joint_coupling", 5, {{"coupling", 3e-4}}, {{"driver_joint", 4}}),
       Held("gear_harmonic", 3, {{"sin_121.02", 7e-5}, {"cos_121.02", 3e-5}}, {{"order", 121.0203}}),
-      Held("transmission_error", 1, {{"at_30", 3e-4}, {"at_-90", 1e-4}, {"at_180", 2e-4}}),
+      Held("transmission_error",
+           1,
+           {{"at_30", 3e-4}, {"at_-90", 1e-4}, {"at_120", 2e-4}},
+           {{"knot_deg", 30}}),
       Held("axis_wobble", 1, {{"x", 5e-5}, {"y", -2e-5}}, {{"order", 2}}),
       Held("backlash", 4, {{"width", 3e-4}}),
       Held("backlash", 3, {{"width", 2e-4}}, {{"flank", 1}})};
