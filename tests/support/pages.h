@@ -18,7 +18,7 @@ inline bool HasProgram(const std::string& name) {
 }
 
 /// First groups of all matches.
-inline std::vector<std::string> AllMatches(const std::string& text, const std::string& pattern) {
+inline std::vector<std::string> MatchesIn(const std::string& text, const std::string& pattern) {
   const std::regex expression(pattern);
   std::vector<std::string> found;
   for (std::sregex_iterator it(text.begin(), text.end(), expression), end; it != end; ++it) {

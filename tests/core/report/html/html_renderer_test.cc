@@ -111,7 +111,7 @@ TEST(HtmlRenderer, NeedsNothingButItself) {
 }
 
 TEST(HtmlRenderer, GivesEveryElementAnIdOfItsOwn) {
-  const std::vector<std::string> ids = AllMatches(ExamplePage(), "\\sid=[\"']([^\"']*)[\"']");
+  const std::vector<std::string> ids = MatchesIn(ExamplePage(), "\\sid=[\"']([^\"']*)[\"']");
   const std::set<std::string> different(ids.begin(), ids.end());
   EXPECT_GT(ids.size(), 5u);
   EXPECT_EQ(ids.size(), different.size());
@@ -119,9 +119,9 @@ TEST(HtmlRenderer, GivesEveryElementAnIdOfItsOwn) {
 
 TEST(HtmlRenderer, RefersToNothingThatIsNotThere) {
   const std::string page = ExamplePage();
-  const std::vector<std::string> ids = AllMatches(page, "\\sid=[\"']([^\"']*)[\"']");
+  const std::vector<std::string> ids = MatchesIn(page, "\\sid=[\"']([^\"']*)[\"']");
   const std::set<std::string> there(ids.begin(), ids.end());
-  for (const std::string& id : AllMatches(page, "href=[\"']#([^\"']*)[\"']")) {
+  for (const std::string& id : MatchesIn(page, "href=[\"']#([^\"']*)[\"']")) {
     EXPECT_EQ(there.count(id), 1u) << id;
   }
 }
