@@ -17,9 +17,9 @@ namespace {
 constexpr char kConstant[] = "time_constant_s";
 constexpr std::size_t kDriftsRefined = 3;
 constexpr double kNeighbour = 1.7;   // the grid's steps are smaller
-constexpr double kSlowest = 4.0;     // of the duration: beyond, a drift is steady
 constexpr int kBitsOfConstant = 8;   // of the logarithm's range
 constexpr double kWorthRefining = 25;  // squares: below, no grid is too coarse
+constexpr double kBetterBy = 4;        // squares that a time constant of its own is worth
 
 bool HasConstant(const Item& item) { return item.request.settings.count(kConstant) > 0; }
 
@@ -58,20 +58,21 @@ void AddTimeConstants(const PhysicsContext& context, Bank* bank) {
     if (!HasConstant(bank->items()[static_cast<std::size_t>(k)])) others.push_back(k);
   }
   const Bank::Rest rest = bank->RestBeside(others);
-  for (const int form : BestForms(*bank, bank->Gains(others))) {
+  const Eigen::VectorXd gains = bank->Gains(others);
+  for (const int form : BestForms(*bank, gains)) {
     const Item coarse = bank->items()[static_cast<std::size_t>(form)];
     const double now = coarse.request.settings.at(kConstant);
-    const double low = now > 0 ? now / kNeighbour : context.duration() / kNeighbour;
-    const double high = now > 0 ? now * kNeighbour : context.duration() * kSlowest;
+    if (!(now > 0)) continue;  // steady is as simple as can be
     const auto item_at = [&](double log_seconds) {
       return NamedItem(
           context, WithConstant(coarse.request, std::exp(log_seconds)), coarse.variants);
     };
-    const auto [log_best, unused] = boost::math::tools::brent_find_minima(
+    const auto [log_best, least] = boost::math::tools::brent_find_minima(
         [&](double log_seconds) { return -bank->GainBeside(rest, item_at(log_seconds)); },
-        std::log(low),
-        std::log(high),
+        std::log(now / kNeighbour),
+        std::log(now * kNeighbour),
         kBitsOfConstant);
+    if (-least < gains[form] + kBetterBy) continue;
     Item fine = item_at(log_best);
     const bool known = std::any_of(bank->items().begin(),
                                    bank->items().end(),

@@ -62,6 +62,7 @@ void JoinCurves(const std::vector<Member>& members, std::vector<std::vector<int>
       curve.insert(curve.end(), other.begin(), other.end());
       other.clear();
     }
+    std::sort(curve.begin(), curve.end());
   }
   groups->erase(std::remove_if(groups->begin(),
                                groups->end(),

@@ -16,7 +16,7 @@ namespace dhcal {
 /// Positions of the members without a name.
 std::vector<int> CellMembers(const std::vector<Member>& members);
 
-/// Members (positions) that make one finding each: the same effect, or lines and a curve of one
+/// Members (positions, ascending) that make one finding each: the same effect, or lines and a curve of one
 /// joint's own angle. Cells and effects of the problem file make none.
 std::vector<std::vector<int>> FindingGroups(const std::vector<Member>& members);
 

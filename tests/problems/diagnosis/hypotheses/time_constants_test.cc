@@ -18,15 +18,19 @@ namespace {
 
 constexpr double kPartOfDuration = 0.24;  // the grid has 0.19 and 0.3
 
+/// The base moves `metres` along x, as much against y and half of it along z, in an exponential.
 Draw Drifting(double metres) {
   Scenario scenario;
   scenario.poses = 150;
-  const double duration = MakeDraw(scenario, 3).recording.time.maxCoeff();
-  scenario.truth = {Request("base_drift",
-                            0,
-                            {{"x", metres}, {"y", -metres}, {"z", metres / 2}},
-                            {{"time_constant_s", kPartOfDuration * duration}})};
-  return MakeDraw(scenario, 3);
+  Draw draw = MakeDraw(scenario, 3);
+  Recording& recording = draw.recording;
+  recording.time = 20 * Eigen::VectorXd::LinSpaced(scenario.poses, 0, scenario.poses - 1);
+  const double constant = kPartOfDuration * recording.time.maxCoeff();
+  const Eigen::RowVector3d motion(metres, -metres, metres / 2);
+  for (int row = 0; row < scenario.poses; ++row) {
+    recording.p_WQ.row(row) += motion * (1 - std::exp(-recording.time[row] / constant));
+  }
+  return draw;
 }
 
 TEST(TimeConstants, TheBestOneOfADriftFarAboveTheNoiseIsAdded) {
