@@ -36,11 +36,10 @@ std::vector<int> United(const std::vector<int>& a, const std::vector<int>& b) {
 std::vector<Item> WithoutUnknowns(std::vector<Item> completions, const std::vector<int>& known) {
   for (Item& item : completions) {
     std::vector<int>& own = item.unknowns;
-    own.erase(std::remove_if(own.begin(),
-                             own.end(),
-                             [&](int k) {
-                               return std::find(known.begin(), known.end(), k) != known.end();
-                             }),
+    own.erase(std::remove_if(
+                  own.begin(),
+                  own.end(),
+                  [&](int k) { return std::find(known.begin(), known.end(), k) != known.end(); }),
               own.end());
     item.size = static_cast<int>(own.size());
     item.positive.resize(own.size());

@@ -92,8 +92,7 @@ ProblemSpec WithEffectsHeld(ProblemSpec spec, const JointRows& fit) {
     if (member.item.kind != ItemKind::kEffect) continue;
     EffectRequest held = member.item.request;
     held.held = true;
-    const std::vector<EffectColumn> columns =
-        FindEffect(held.effect)->Columns(*fit.context, held);
+    const std::vector<EffectColumn> columns = FindEffect(held.effect)->Columns(*fit.context, held);
     for (std::size_t k = 0; k < columns.size(); ++k) {
       held.values[columns[k].parameter] = member.value[static_cast<Index>(k)];
     }

@@ -1,5 +1,5 @@
-// What a diagnosis starts from: its rows' noise, the geometry that the file leaves open, and the frames
-// that it conceals.
+// What a diagnosis starts from: its rows' noise, the geometry that the file leaves open, and the
+// frames that it conceals.
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_LOOP_INPUTS_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_LOOP_INPUTS_H_
 

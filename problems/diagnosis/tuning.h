@@ -59,8 +59,8 @@ struct Tuning {
   double predictive_bound = 25;  // squares of one unseen reading that count in full
   double unseen_errors = 2;      // standard errors by which unseen rows must speak against a name
   // Times the error without it: a driver that nobody knows keeps its name beside a rest, and an
-  // effect of an unheard-of size its name, only if it is worth as much. Columns of real tracker data
-  // go along with the rest and are worth little.
+  // effect of an unheard-of size its name, only if it is worth as much. Columns of real tracker
+  // data go along with the rest and are worth little.
   double unmistakable = 1.5;
   /// Of what a name for a joint's angle moves: unnamed things at that joint that move as much make
   /// the name their shadow. Real joints' curves have ten times their rest.

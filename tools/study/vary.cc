@@ -150,14 +150,15 @@ void PrintVaried(int draws, std::ostream* out) {
     const Changes halved = Between(before, Answers(cases));
     numbers.Vary(number, 2);
     const Changes doubled = Between(before, Answers(cases));
-    *out << fmt::format("{:<20} {:>10.4g}  {:>5} | {:>4}  {:>5} | {:>4}{}\n",
-                        number.name,
-                        numbers.Value(number),
-                        halved.verdicts,
-                        halved.names,
-                        doubled.verdicts,
-                        doubled.names,
-                        std::max(halved.verdicts, doubled.verdicts) > asks ? "  needs a reason" : "")
+    *out << fmt::format(
+                "{:<20} {:>10.4g}  {:>5} | {:>4}  {:>5} | {:>4}{}\n",
+                number.name,
+                numbers.Value(number),
+                halved.verdicts,
+                halved.names,
+                doubled.verdicts,
+                doubled.names,
+                std::max(halved.verdicts, doubled.verdicts) > asks ? "  needs a reason" : "")
          << std::flush;
   }
 }

@@ -174,9 +174,8 @@ std::vector<int> SlotsTried(const PhysicsContext& c) {
   for (const int slot : order) {
     const VectorXd own = motions.col(slot);
     if (own.norm() < kMoves * std::sqrt(static_cast<double>(own.size()))) continue;
-    const bool known = std::any_of(tried.begin(), tried.end(), [&](int other) {
-      return MoveAlike(own, motions.col(other));
-    });
+    const bool known = std::any_of(
+        tried.begin(), tried.end(), [&](int other) { return MoveAlike(own, motions.col(other)); });
     if (!known) tried.push_back(slot);
   }
   return tried;
@@ -245,8 +244,7 @@ class ColumnDriverEffect final : public Effect {
     const int own = *SlotNamed(c.slots(), request.word("slot"));
     std::vector<EffectRequest> twins;
     for (int slot = 0; slot < c.slots().size(); ++slot) {
-      const bool beta =
-          c.slots().is_joint(slot) && SlotLayout::NumberAt(slot) == JointSlot::kBeta;
+      const bool beta = c.slots().is_joint(slot) && SlotLayout::NumberAt(slot) == JointSlot::kBeta;
       if (slot == own || beta || !MoveAlike(motions.col(own), motions.col(slot))) continue;
       EffectRequest twin = request;
       twin.words["slot"] = c.slots().Name(slot);

@@ -39,7 +39,8 @@ class Bank {
   Rest RestBeside(const std::vector<int>& active) const;
   /// Squares that an item, which need not be one of the bank's, would remove of a rest.
   double GainBeside(const Rest& rest, const Item& item) const;
-  /// Adds an item after all (a line or a time constant that a scan found); its columns are in the state's context.
+  /// Adds an item after all (a line or a time constant that a scan found); its columns are in the
+  /// state's context.
   void Add(Item item);
 
   Gram GramOf(const std::vector<int>& chosen) const;

@@ -25,8 +25,8 @@ constexpr char kRun[] = "run";
 /// A driver and the functions of it that are tried.
 struct CellDriver {
   std::string name;
-  MatrixXd functions;  // rows x functions
-  VectorXd values;     // empty: several drivers
+  MatrixXd functions;       // rows x functions
+  VectorXd values;          // empty: several drivers
   std::vector<int> joints;  // whose angles drive it, from 1
 };
 

@@ -16,8 +16,8 @@ namespace {
 
 constexpr char kConstant[] = "time_constant_s";
 constexpr std::size_t kDriftsRefined = 3;
-constexpr double kNeighbour = 1.7;   // the grid's steps are smaller
-constexpr int kBitsOfConstant = 8;   // of the logarithm's range
+constexpr double kNeighbour = 1.7;     // the grid's steps are smaller
+constexpr int kBitsOfConstant = 8;     // of the logarithm's range
 constexpr double kWorthRefining = 25;  // squares: below, no grid is too coarse
 constexpr double kBetterBy = 4;        // squares that a time constant of its own is worth
 

@@ -37,8 +37,8 @@ double WaldSquare(const VectorXd& v, const MatrixXd& C, int* directions) {
   return square;
 }
 
-/// By a refit without the completion: along what the rows do not see a frame and the first rows turn
-/// together, so far that Wald's quadratic no longer holds where the rows do see something.
+/// By a refit without the completion: along what the rows do not see a frame and the first rows
+/// turn together, so far that Wald's quadratic no longer holds where the rows do see something.
 double LogChanceWithout(const JointModel& model,
                         const JointRows& joint,
                         const Item& completion,

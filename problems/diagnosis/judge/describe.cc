@@ -50,10 +50,9 @@ bool IsSeries(const std::vector<int>& group, const std::vector<Member>& members)
 void JoinCurves(const std::vector<Member>& members, std::vector<std::vector<int>>* groups) {
   const auto item = [&](int m) -> const Item& { return members[static_cast<std::size_t>(m)].item; };
   for (std::vector<int>& curve : *groups) {
-    const bool has_curve = IsSeries(curve, members) ||
-                           std::any_of(curve.begin(), curve.end(), [&](int m) {
-                             return IsCurve(item(m).request);
-                           });
+    const bool has_curve =
+        IsSeries(curve, members) ||
+        std::any_of(curve.begin(), curve.end(), [&](int m) { return IsCurve(item(m).request); });
     if (!has_curve) continue;
     for (std::vector<int>& other : *groups) {
       if (&other == &curve || other.empty()) continue;

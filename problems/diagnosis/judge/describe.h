@@ -16,8 +16,8 @@ namespace dhcal {
 /// Positions of the members without a name.
 std::vector<int> CellMembers(const std::vector<Member>& members);
 
-/// Members (positions, ascending) that make one finding each: the same effect, or lines and a curve of one
-/// joint's own angle. Cells and effects of the problem file make none.
+/// Members (positions, ascending) that make one finding each: the same effect, or lines and a curve
+/// of one joint's own angle. Cells and effects of the problem file make none.
 std::vector<std::vector<int>> FindingGroups(const std::vector<Member>& members);
 
 /// The finding of each group, in their order. `certainties`: of the outcome's fit.

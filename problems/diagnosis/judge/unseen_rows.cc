@@ -246,9 +246,8 @@ UnseenRows::Gain UnseenRows::GainOf(const std::vector<int>& group, int way) cons
 }
 
 bool UnseenRows::SpeakAgainst(const std::vector<int>& group) const {
-  const bool scanned = std::any_of(group.begin(), group.end(), [&](int m) {
-    return scanned_[static_cast<std::size_t>(m)];
-  });
+  const bool scanned = std::any_of(
+      group.begin(), group.end(), [&](int m) { return scanned_[static_cast<std::size_t>(m)]; });
   for (int way = 0; way < num_ways(); ++way) {
     const Gain gain = GainOf(group, way);
     if (gain.sum > (scanned ? 0.0 : -kTuning.unseen_errors * gain.error)) return false;

@@ -22,7 +22,7 @@ namespace dhcal {
 struct Member {
   Item item;
   Eigen::VectorXd value;
-  bool given = false;  // switched on in the problem file: always in the model, never judged
+  bool given = false;          // switched on in the problem file: always in the model, never judged
   bool whatever_size = false;  // beyond all usual sizes, and nothing else does instead
 };
 

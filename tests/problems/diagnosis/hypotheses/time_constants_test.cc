@@ -39,8 +39,7 @@ TEST(TimeConstants, TheBestOneOfADriftFarAboveTheNoiseIsAdded) {
   RowChoice choice;
   choice.readings = model.calibration().readings.fitted;
   choice.weights.noise.sigma = draw.spec.measurement.sigma.value();
-  const JointRows fit =
-      FitJointly(model, model.Start(), choice, model.AllUnknowns(), kFarSteps);
+  const JointRows fit = FitJointly(model, model.Start(), choice, model.AllUnknowns(), kFarSteps);
   Bank bank(model, fit, NamedItems(*fit.context, LibraryOptions()), model.AllUnknowns());
   const std::size_t before = bank.items().size();
   AddTimeConstants(*fit.context, &bank);
