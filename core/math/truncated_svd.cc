@@ -6,7 +6,7 @@
 namespace dhcal {
 namespace {
 
-constexpr Eigen::Index kMany = 100;  // columns
+constexpr Eigen::Index kMany = 160;  // columns
 
 template <typename Svd>
 TruncatedSvd Kept(const Svd& svd, const Eigen::VectorXd& scale) {
@@ -31,7 +31,8 @@ TruncatedSvd DecomposeScaled(const Eigen::MatrixXd& J, const Eigen::VectorXd& sc
   // the largest value, which the rows themselves are no better than.
   if (J.cols() >= kMany) {
     TruncatedSvd divided = Kept(Eigen::BDCSVD<Eigen::MatrixXd>(scaled, kThin), scale);
-    // Eigen 3.4's divides by zero for some matrices with columns that are zero but for rounding.
+    // Eigen 3.4's divides by zero, or reads behind an end, for some matrices with many columns that
+    // are zero but for rounding: hence the high bound.
     if (divided.U.allFinite() && divided.s.allFinite() && divided.V.allFinite()) return divided;
   }
   return Kept(Eigen::JacobiSVD<Eigen::MatrixXd>(scaled, kThin), scale);

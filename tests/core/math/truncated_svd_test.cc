@@ -39,7 +39,8 @@ TEST(TruncatedSvd, ManyColumnsWithSomeOfRoundingHaveFiniteDirections) {
   }
   const TruncatedSvd svd = DecomposeScaled(J, VectorXd::Ones(kColumns));
   ASSERT_TRUE(svd.U.allFinite() && svd.s.allFinite() && svd.V.allFinite());
-  EXPECT_THAT(svd.U * svd.s.asDiagonal() * svd.V.transpose(), MatrixNear(J, 1e-13));
+  // Rounding: machine precision times columns times the largest singular value, 20.
+  EXPECT_THAT(svd.U * svd.s.asDiagonal() * svd.V.transpose(), MatrixNear(J, 6e-13));
 }
 
 TEST(TruncatedSvd, ReproducesTheScaledMatrix) {
