@@ -7,8 +7,7 @@
 #include <malloc.h>
 #endif
 
-#include <glog/logging.h>
-
+#include "core/base/quiet_log.h"
 #include "tools/support/batch.h"
 #include "tools/support/command_line.h"
 #include "tools/support/import_run.h"
@@ -29,10 +28,7 @@ void KeepMemory() {
 
 int main(int argc, char** argv) {
   KeepMemory();
-  google::InitGoogleLogging(argv[0]);
-  // What is logged is for developers (GLOG_v=1); what users must know is in reports and errors.
-  FLAGS_logtostderr = true;
-  FLAGS_minloglevel = FLAGS_v > 0 ? google::GLOG_INFO : google::GLOG_FATAL;
+  dhcal::StartQuietLog(argv[0]);
   dhcal::CommandLine command_line;
   switch (dhcal::ParseCommandLine(argc, argv, &command_line)) {
     case dhcal::CommandLineStatus::kDone:

@@ -6,8 +6,7 @@
 #include <iostream>
 #include <string>
 
-#include <glog/logging.h>
-
+#include "core/base/quiet_log.h"
 #include "tools/compensate/run.h"
 
 namespace dhcal {
@@ -101,9 +100,7 @@ int Main(int argc, char** argv) {
 }  // namespace dhcal
 
 int main(int argc, char** argv) {
-  google::InitGoogleLogging(argv[0]);
-  FLAGS_logtostderr = true;
-  FLAGS_minloglevel = google::GLOG_FATAL;
+  dhcal::StartQuietLog(argv[0]);
   try {
     return dhcal::Main(argc, argv);
   } catch (const std::exception& error) {

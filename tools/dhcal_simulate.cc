@@ -6,9 +6,8 @@
 #include <optional>
 #include <string>
 
-#include <glog/logging.h>
-
 #include "core/base/diagnostics.h"
+#include "core/base/quiet_log.h"
 #include "core/io/whole_file.h"
 #include "problems/formats/problem/problem_reader.h"
 #include "problems/formats/result/result_writer.h"
@@ -51,9 +50,7 @@ int Simulate(const std::string& problem, const std::string& file) {
 }  // namespace dhcal
 
 int main(int argc, char** argv) {
-  google::InitGoogleLogging(argv[0]);
-  FLAGS_logtostderr = true;
-  FLAGS_minloglevel = google::GLOG_FATAL;
+  dhcal::StartQuietLog(argv[0]);
   if (argc == 2 && std::string(argv[1]) == "--help") {
     std::cout << dhcal::kHelp;
     return dhcal::kOk;

@@ -19,8 +19,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <glog/logging.h>
 
+#include "core/base/quiet_log.h"
 #include "core/base/units.h"
 #include "problems/diagnosis/diagnose.h"
 #include "problems/formats/problem/problem_checks.h"
@@ -129,9 +129,7 @@ bool IsNumber(const std::string& text, int* number) {
 }  // namespace dhcal
 
 int main(int argc, char** argv) {
-  google::InitGoogleLogging(argv[0]);
-  FLAGS_logtostderr = true;
-  FLAGS_minloglevel = google::GLOG_FATAL;
+  dhcal::StartQuietLog(argv[0]);
   std::vector<std::string> files;
   std::vector<int> numbers;
   for (int k = 1; k < argc; ++k) {

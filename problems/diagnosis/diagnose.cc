@@ -190,7 +190,6 @@ Search SearchEffects(const ProblemSpec& spec,
                      const Result& identified,
                      bool averaged,
                      const Progress& progress) {
-  const Recording& recording = model.calibration().recording;
   Search search;
   const auto run = [&] {
     LoopInputs inputs = InputsOf(spec, model, averaged, search.result.findings);
@@ -198,12 +197,12 @@ Search SearchEffects(const ProblemSpec& spec,
     search.loop = std::make_unique<Loop>(inputs);
     search.outcome = search.loop->Run();
   };
-  search.result = ConcealedFramesIn(spec, recording, identified, progress);
+  search.result = ConcealedFramesIn(spec, model, identified, progress);
   run();
   if (search.result.findings.empty() || search.outcome.fit.state.members.empty()) return search;
   // Strong physics bends the file's own parameters, too: beside it, frames are asked for again.
   DiagnosisResult beside =
-      ConcealedFramesIn(WithEffectsHeld(spec, search.outcome.fit), recording, {}, progress);
+      ConcealedFramesIn(WithEffectsHeld(spec, search.outcome.fit), model, {}, progress);
   if (beside.findings.size() == search.result.findings.size()) return search;
   search.result = std::move(beside);
   run();

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "core/physics/registry.h"
 #include "problems/diagnosis/complete_fit.h"
 #include "problems/diagnosis/completions.h"
 #include "problems/diagnosis/concealed_frame.h"
@@ -17,7 +16,6 @@
 namespace dhcal {
 namespace {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 /// Readings that are one draw together: several targets of one pose, or repeats that were too few
@@ -74,29 +72,28 @@ std::vector<int> FileUnknowns(const Calibration& file, const Calibration& whole)
 }  // namespace
 
 DiagnosisResult ConcealedFramesIn(const ProblemSpec& spec,
-                                  const Recording& recording,
+                                  const JointModel& model,
                                   const Result& identified,
                                   const Progress& progress) {
   DiagnosisResult d;
+  const Calibration& whole = model.calibration();
+  const Recording& recording = whole.recording;
+  const std::vector<Completion> missing = MissingCompletions(Calibration(spec, recording), whole);
+  if (missing.empty()) return d;
   const auto complete = FitComplete(spec, recording, {}, nullptr, progress);
-  const std::vector<Completion> missing =
-      MissingCompletions(Calibration(spec, recording), complete->calibration);
-  if (missing.empty() || !complete->usable()) return d;
-  AddConcealedFrames(spec, recording, identified, *complete, missing, &d);
+  if (complete->usable()) {
+    AddConcealedFrames(spec, recording, identified, *complete, missing, &d);
+  }
   return d;
 }
 
 ProblemSpec WithEffectsHeld(ProblemSpec spec, const JointRows& fit) {
   spec.robot.links = fit.robot->links;
   for (const Member& member : fit.state.members) {
-    if (member.item.kind != ItemKind::kEffect) continue;
-    EffectRequest held = member.item.request;
-    held.held = true;
-    const std::vector<EffectColumn> columns = FindEffect(held.effect)->Columns(*fit.context, held);
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      held.values[columns[k].parameter] = member.value[static_cast<Index>(k)];
-    }
-    spec.parameters.effects.push_back(held);
+    // Those of the problem file are in it already.
+    if (member.given || member.item.kind != ItemKind::kEffect) continue;
+    spec.parameters.effects.push_back(WithValues(member.item, *fit.context, member.value));
+    spec.parameters.effects.back().held = true;
   }
   return spec;
 }

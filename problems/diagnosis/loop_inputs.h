@@ -7,7 +7,6 @@
 
 #include "core/model/diagnosis.h"
 #include "core/model/problem_spec.h"
-#include "core/model/recording.h"
 #include "core/model/result.h"
 #include "problems/diagnosis/loop.h"
 #include "problems/diagnosis/refit/joint_model.h"
@@ -19,13 +18,13 @@ namespace dhcal {
 constexpr double kShareOfNames = 0.5;
 
 /// Frames that the file's own parameters imitate: findings, moved parameters and notes alone.
-/// `identified`: the file's own fit, or none.
+/// `model`: of the rows, with every geometric freedom. `identified`: the file's own fit, or none.
 DiagnosisResult ConcealedFramesIn(const ProblemSpec& spec,
-                                  const Recording& recording,
+                                  const JointModel& model,
                                   const Result& identified,
                                   const Progress& progress);
 
-/// The problem with the effects of a fit held at what was found, its masses stated.
+/// The problem with the effects that a fit found held at their values, its masses stated.
 ProblemSpec WithEffectsHeld(ProblemSpec spec, const JointRows& fit);
 
 /// `averaged`: repeats were put together. `frames`: findings that belong to the geometry.

@@ -12,9 +12,6 @@
 #include "core/base/rng.h"
 #include "core/physics/columns.h"
 #include "core/physics/registry.h"
-#include "core/solver/linearization.h"
-#include "problems/assembly.h"
-#include "problems/diagnosis/design_rows.h"
 #include "problems/fit_analysis.h"
 #include "problems/formats/result/result_writer.h"
 #include "problems/identify.h"
@@ -24,6 +21,7 @@
 #include "tests/support/edge_head.h"
 #include "tests/support/problem_cases.h"
 #include "tests/support/robots.h"
+#include "tests/support/same_rows.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temp_folder.h"
 
@@ -125,19 +123,7 @@ TEST(StraightEdge, RowsOfTheDiagnosisAreThoseOfTheResidualBlocks) {
   const ProblemSpec spec = LoadCase("kr15_edges");
   const Recording recording = RecordingOf(spec);
   const Calibration c(spec, recording);
-  const Noise noise{kCameraNoise, 1};
-  const Eigen::VectorXd state =
-      Eigen::VectorXd::Constant(static_cast<Eigen::Index>(c.parameters.size()), 1e-4);
-  CalibrationProblem problem(c, noise);
-  problem.set_state(state);
-  Linearization linear;
-  ASSERT_TRUE(Linearize(&problem, &linear));
-  const DesignRows rows(c, state, noise, c.readings.fitted);
-  const Eigen::MatrixXd J = rows.Geometry(c.parameters);
-  const Eigen::MatrixXd normal = linear.R.transpose() * linear.R;
-  EXPECT_LT((J.transpose() * J - normal).norm(), 1e-9 * normal.norm());
-  EXPECT_NEAR(rows.y().squaredNorm(), 2 * linear.cost, 1e-9 * linear.cost);
-  EXPECT_EQ(rows.degrees_of_freedom(), 3 * static_cast<int>(c.readings.fitted.size()));
+  ExpectRowsOfTheResidualBlocks(c, {kCameraNoise, 1});
 }
 
 TEST(StraightEdge, CalibratedEdgesReadBack) {

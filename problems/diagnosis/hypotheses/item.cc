@@ -17,6 +17,17 @@ SlotColumns ColumnsOf(const Item& item, const PhysicsContext& context) {
   return columns;
 }
 
+EffectRequest WithValues(const Item& item,
+                         const PhysicsContext& context,
+                         const Eigen::VectorXd& value) {
+  EffectRequest request = item.request;
+  const std::vector<EffectColumn> columns = EffectColumns(context, request);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    request.values[columns[k].parameter] = value[static_cast<Eigen::Index>(k)];
+  }
+  return request;
+}
+
 double UsualSizes(const Item& item, const Eigen::VectorXd& value) {
   if (item.kind != ItemKind::kEffect || value.size() == 0) return 0;
   return std::sqrt(value.cwiseQuotient(item.typical).squaredNorm() /

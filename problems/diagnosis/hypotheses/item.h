@@ -54,6 +54,11 @@ struct Item {
 /// Columns of an effect or a cell in the circumstances of `context`; none of a completion.
 SlotColumns ColumnsOf(const Item& item, const PhysicsContext& context);
 
+/// An effect's request with the values of its parameters.
+EffectRequest WithValues(const Item& item,
+                         const PhysicsContext& context,
+                         const Eigen::VectorXd& value);
+
 /// Root mean square over the parameters of value / usual size; nothing is unusual about a cell or
 /// a frame.
 double UsualSizes(const Item& item, const Eigen::VectorXd& value);

@@ -280,12 +280,7 @@ std::vector<EffectRequest> ModelOf(const LoopOutcome& outcome, const Certainties
   for (std::size_t m = 0; m < outcome.fit.state.members.size(); ++m) {
     const Member& member = outcome.fit.state.members[m];
     if (member.given || member.item.kind != ItemKind::kEffect) continue;
-    EffectRequest request = member.item.request;
-    const std::vector<EffectColumn> columns = EffectColumns(*outcome.fit.context, request);
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      request.values[columns[k].parameter] = certainties.members[m].value[static_cast<Index>(k)];
-    }
-    effects.push_back(std::move(request));
+    effects.push_back(WithValues(member.item, *outcome.fit.context, certainties.members[m].value));
   }
   return effects;
 }

@@ -8,12 +8,11 @@
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
-#include "core/solver/linearization.h"
-#include "problems/assembly.h"
 #include "problems/diagnosis/projection.h"
 #include "residuals/registry.h"
 #include "tests/support/recorder.h"
 #include "tests/support/robots.h"
+#include "tests/support/same_rows.h"
 #include "tools/study/scenarios.h"
 
 namespace dhcal {
@@ -41,25 +40,7 @@ TEST_P(DesignRowsLaw, LeaveTheSameSquaresAsTheResidualBlocks) {
   spec.parameters.effects[0].joint = 3;
   const Calibration c(spec, recording);
   const Noise noise{20e-6, 50e-6};
-  const Eigen::VectorXd state =
-      Eigen::VectorXd::Constant(static_cast<Eigen::Index>(c.parameters.size()), 1e-4);
-
-  CalibrationProblem problem(c, noise);
-  problem.set_state(state);
-  Linearization linear;
-  ASSERT_TRUE(Linearize(&problem, &linear));
-  const DesignRows rows(c, state, noise, c.readings.fitted);
-  const Eigen::MatrixXd J = rows.Geometry(c.parameters);
-
-  const Eigen::MatrixXd normal = linear.R.transpose() * linear.R;
-  const Eigen::VectorXd right = linear.R.transpose() * linear.b;
-  EXPECT_LT((J.transpose() * J - normal).norm(), 1e-9 * normal.norm());
-  EXPECT_LT((J.transpose() * rows.y() - right).norm(), 1e-9 * right.norm());
-  EXPECT_NEAR(rows.y().squaredNorm(), 2 * linear.cost, 1e-9 * linear.cost);
-  // A difference holds three readings; a series of shared ones has three rows more, and three
-  // offsets that take them away again.
-  EXPECT_EQ(rows.degrees_of_freedom(),
-            static_cast<int>(c.readings.fitted.size()) * GetParam().kind.num_coordinates());
+  ExpectRowsOfTheResidualBlocks(c, noise);
 }
 
 INSTANTIATE_TEST_SUITE_P(
