@@ -4,10 +4,19 @@
 #include <map>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <glog/logging.h>
+
+#include "core/math/products.h"
+#include "problems/diagnosis/projection.h"
 
 namespace dhcal {
 namespace {
+
+// Of the largest variance: what is less is rounding.
+constexpr double kSmallestShare = 1e-12;
+
+double Square(double x) { return x * x; }
 
 bool IsShared(const Calibration& c) {
   return c.measurement->kind().pairs && c.spec.measurement.noise == NoiseKind::kSharedPose;
@@ -17,6 +26,13 @@ bool IsShared(const Calibration& c) {
 Eigen::MatrixXd BySlots(const ReadingComparison::TwistRows& by_twist,
                         const PoseWithDerivatives& pose) {
   return by_twist.leftCols<3>() * pose.J_p + by_twist.rightCols<3>() * pose.J_w;
+}
+
+/// Slot that a joint's coordinate is added to.
+int MovingSlot(const Calibration& c, int joint) {
+  const bool turns =
+      c.spec.robot.joints[static_cast<std::size_t>(joint)].type == JointType::kRevolute;
+  return c.chain.slots().joint(joint, turns ? JointSlot::kTheta : JointSlot::kD);
 }
 
 /// Standard deviation of each coordinate of a row's reading.
@@ -70,7 +86,7 @@ DesignRows::DesignRows(const Calibration& c,
                        const Eigen::VectorXd& state,
                        const Noise& noise,
                        const std::vector<Reading>& readings)
-    : DesignRows(c, DeltasAt(c, state, readings), RowWeights{noise, {}, {}}, readings) {}
+    : DesignRows(c, DeltasAt(c, state, readings), RowWeights{noise, {}, {}, 0}, readings) {}
 
 DesignRows::DesignRows(const Calibration& c,
                        const Eigen::MatrixXd& deltas,
@@ -98,6 +114,8 @@ DesignRows::DesignRows(const Calibration& c,
   now_.conservativeResize(filled_, Eigen::NoChange);
   if (before_.rows() > 0) before_.conservativeResize(filled_, Eigen::NoChange);
   if (weights.correlation != 0) WhitenSerially();
+  shared_.resize(filled_, 0);
+  ShrinkSharedRounding();
 }
 
 PoseWithDerivatives DesignRows::PoseAt(int row) const {
@@ -113,13 +131,10 @@ double DesignRows::RootWeight(int row) const {
 
 Eigen::MatrixXd DesignRows::Rounding(const Eigen::MatrixXd& J) const {
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(J.rows(), J.rows());
-  for (int joint = 0; joint < weights_.quantum.size(); ++joint) {
-    const double variance = weights_.quantum[joint] * weights_.quantum[joint] / 12;
+  for (int joint = 0; joint < weights_.read_out.quantum.size(); ++joint) {
+    const double variance = Square(weights_.read_out.quantum[joint]) / 12;
     if (variance == 0) continue;
-    const bool turns =
-        c_.spec.robot.joints[static_cast<std::size_t>(joint)].type == JointType::kRevolute;
-    const Eigen::VectorXd column =
-        J.col(c_.chain.slots().joint(joint, turns ? JointSlot::kTheta : JointSlot::kD));
+    const Eigen::VectorXd column = J.col(MovingSlot(c_, joint));
     covariance += variance * column * column.transpose();
   }
   return covariance;
@@ -251,7 +266,48 @@ void DesignRows::WhitenSerially() {
   }
 }
 
+void DesignRows::ShrinkSharedRounding() {
+  std::vector<Eigen::VectorXd> columns;  // one standard deviation of each place
+  for (int joint = 0; joint < weights_.read_out.level.size(); ++joint) {
+    const double quantum = weights_.read_out.level[joint];
+    if (quantum == 0) continue;
+    std::map<long long, Eigen::VectorXd> places;
+    for (int row = 0; row < c_.recording.num_rows(); ++row) {
+      const auto place = places.emplace(std::llround(c_.recording.q(row, joint) / quantum),
+                                        Eigen::VectorXd::Zero(c_.recording.num_rows()));
+      place.first->second[row] = quantum / std::sqrt(12.0);
+    }
+    for (const auto& place : places) {
+      columns.push_back(OwnColumn({{MovingSlot(c_, joint), place.second}}));
+    }
+  }
+  if (columns.empty()) return;
+  Eigen::MatrixXd L(num_rows(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    L.col(static_cast<Eigen::Index>(k)) = columns[k];
+  }
+  // Covariance I + L L' = I + U S^2 U', and its inverse root is I - U (1 - (1 + S^2)^-1/2) U'.
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(SquareOf(L));
+  const double least = kSmallestShare * eigen.eigenvalues().maxCoeff();
+  Eigen::Index first = 0;
+  while (first < L.cols() && eigen.eigenvalues()[first] <= least) ++first;
+  const Eigen::VectorXd variance = eigen.eigenvalues().tail(L.cols() - first);
+  shared_ = L * (eigen.eigenvectors().rightCols(variance.size()) *
+                 variance.cwiseSqrt().cwiseInverse().asDiagonal());
+  shrunk_ = 1 - (1 + variance.array()).rsqrt();
+  y_ = Shrunk(y_);
+}
+
+Eigen::MatrixXd DesignRows::Shrunk(const Eigen::MatrixXd& V) const {
+  if (shared_.cols() == 0) return V;
+  return Deducted(V, shared_, shrunk_.asDiagonal() * TransposedProduct(shared_, V));
+}
+
 Eigen::VectorXd DesignRows::Column(const std::vector<SlotWeights>& slots) const {
+  return Shrunk(OwnColumn(slots));
+}
+
+Eigen::VectorXd DesignRows::OwnColumn(const std::vector<SlotWeights>& slots) const {
   Eigen::VectorXd column = Eigen::VectorXd::Zero(num_rows());
   for (const SlotWeights& weights : slots) {
     for (int k = 0; k < num_rows(); ++k) {
@@ -269,9 +325,9 @@ Eigen::VectorXd DesignRows::Column(const std::vector<SlotWeights>& slots) const 
 Eigen::MatrixXd DesignRows::Columns(const std::vector<std::vector<SlotWeights>>& columns) const {
   Eigen::MatrixXd whitened(num_rows(), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    whitened.col(static_cast<Eigen::Index>(k)) = Column(columns[k]);
+    whitened.col(static_cast<Eigen::Index>(k)) = OwnColumn(columns[k]);
   }
-  return whitened;
+  return Shrunk(whitened);
 }
 
 Eigen::MatrixXd DesignRows::Geometry(const std::vector<Parameter>& parameters) const {
@@ -281,16 +337,16 @@ Eigen::MatrixXd DesignRows::Geometry(const std::vector<Parameter>& parameters) c
     const Parameter& parameter = parameters[static_cast<std::size_t>(k)];
     if (parameter.effect_column >= 0) {
       const auto column = static_cast<std::size_t>(parameter.effect_column);
-      J.col(k) = Column(c_.effect_columns[column].slots);
+      J.col(k) = OwnColumn(c_.effect_columns[column].slots);
       continue;
     }
     Eigen::VectorXd weight(c_.recording.num_rows());
     for (int row = 0; row < c_.recording.num_rows(); ++row) {
       weight[row] = parameter.scope.Holds(c_.Labels(row)) ? 1.0 : 0.0;
     }
-    J.col(k) = Column({{parameter.slot, weight}});
+    J.col(k) = OwnColumn({{parameter.slot, weight}});
   }
-  return J;
+  return Shrunk(J);
 }
 
 double RmsAsRead(const Calibration& c,

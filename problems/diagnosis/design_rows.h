@@ -19,15 +19,16 @@
 #include "core/kinematics/dh_chain.h"
 #include "core/physics/effect.h"
 #include "problems/calibration.h"
+#include "problems/diagnosis/rows/read_out.h"
 
 namespace dhcal {
 
 /// What whitens the readings.
 struct RowWeights {
   Noise noise;
-  /// Last digit of each joint's coordinate [rad or m]; zero, or empty, where it is exact. Rounding
-  /// is noise of the joint: a reading's covariance is sigma^2 I + J_q diag(quantum^2 / 12) J_q'.
-  Eigen::VectorXd quantum;
+  /// Rounding is noise of the joint: a reading's covariance is sigma^2 I + J_q diag(quantum^2 / 12)
+  /// J_q', and rows at one of few places share its rounding. Empty where all columns are exact.
+  ReadOut read_out;
   /// Weight of each recording row's squares; empty = 1.
   Eigen::VectorXd weight;
   /// Lag-1 correlation of the readings' errors within runs, which is taken out (AR(1), Prais and
@@ -65,8 +66,12 @@ class DesignRows {
   /// Rows less what the free offsets of series take.
   int degrees_of_freedom() const { return num_rows() - coordinates_ * num_series_; }
 
-  /// Orthonormal basis of what those offsets take of the rows; no columns where there are none.
-  const Eigen::SparseMatrix<double>& offsets() const { return offsets_; }
+  /// What rows at a joint's place have in common is known to its rounding only: rows and columns
+  /// are v - U diag(shrunk) U' v of what they were, U orthonormal; no columns where there is none.
+  const Eigen::MatrixXd& shared() const { return shared_; }
+  const Eigen::VectorXd& shrunk() const { return shrunk_; }
+  /// V - U diag(shrunk) U' V.
+  Eigen::MatrixXd Shrunk(const Eigen::MatrixXd& V) const;
 
   /// Whitened column of something that adds `weight` (per recording row) to slots.
   Eigen::VectorXd Column(const std::vector<SlotWeights>& slots) const;
@@ -84,6 +89,9 @@ class DesignRows {
  private:
   PoseWithDerivatives PoseAt(int row) const;
   void WhitenSerially();
+  /// Finds what the rounding of few places gives to the rows, and takes it out.
+  void ShrinkSharedRounding();
+  Eigen::VectorXd OwnColumn(const std::vector<SlotWeights>& slots) const;
   void AddReading(const Reading& reading);
   void AddSeries(const std::vector<Reading>& readings);
   /// Covariance that the rounding of joint coordinates gives to rows with these derivatives.
@@ -108,7 +116,9 @@ class DesignRows {
   Eigen::MatrixXd now_, before_;
   std::vector<int> now_row_, before_row_;
   int num_series_ = 0;  // with shared differences; else none
-  Eigen::SparseMatrix<double> offsets_;
+  Eigen::SparseMatrix<double> offsets_;  // orthonormal
+  Eigen::MatrixXd shared_;  // rows x errors; without a column where there is none
+  Eigen::VectorXd shrunk_;
 };
 
 /// Root mean square [m] of the lengths among whitened values, unwhitened by each row's own sigma;

@@ -27,7 +27,7 @@ struct LoopInputs {
   double false_alarm = 0.01;
   bool sigma_known = false;      // stated, and the rows are single draws
   double readings_per_pose = 1;  // rows that are one draw together
-  Eigen::VectorXd quanta;        // of the joints' read-out
+  ReadOut read_out;              // of the joints
   Noise noise;                   // stated, or a first guess
   Progress progress;
 };

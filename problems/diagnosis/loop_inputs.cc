@@ -110,7 +110,7 @@ LoopInputs InputsOf(const ProblemSpec& spec,
   inputs.false_alarm = kShareOfNames * spec.diagnosis.false_alarm;
   inputs.readings_per_pose = ReadingsPerPose(c);
   inputs.sigma_known = SourceOfNoise(c).all_given() && !averaged && inputs.readings_per_pose == 1;
-  inputs.quanta = ReadOutQuanta(c.recording, spec.robot);
+  inputs.read_out = ReadOutOf(c.recording, spec.robot);
   inputs.noise = InitialNoise(c);
   inputs.file_unknowns = FileUnknowns(file, c);
   std::vector<Completion> missing = MissingCompletions(file, c);

@@ -78,7 +78,7 @@ RowChoice Loop::Choice(bool all) const {
   choice.readings = GoodReadings(false);
   if (!all) choice.readings = Thinned(choice.readings);
   choice.weights.noise = noise_;
-  choice.weights.quantum = in_.quanta;
+  choice.weights.read_out = in_.read_out;
   choice.weights.weight = weight_;
   choice.weights.correlation = correlation_;
   return choice;
@@ -96,7 +96,7 @@ void Loop::UpdateOutliers(const JointRows& joint, bool with_leverage) {
   const Calibration& c = model_.calibration();
   RowWeights weights;
   weights.noise = noise_;
-  weights.quantum = in_.quanta;
+  weights.read_out = in_.read_out;
   const DesignRows fitted(c, joint.state.deltas, weights, c.readings.fitted);
   const DesignRows test(c, joint.state.deltas, weights, c.readings.test);
   ReadingResiduals residuals;

@@ -122,7 +122,7 @@ void RemarkOnDecimals(const ProblemSpec& spec,
                       const Recording& recording,
                       const Result& result,
                       std::vector<std::string>* remarks) {
-  const Eigen::VectorXd quanta = ReadOutQuanta(recording, spec.robot);
+  const Eigen::VectorXd quanta = ReadOutOf(recording, spec.robot).last_digit();
   if (quanta.isZero(0) || recording.num_rows() == 0) return;
   const PhysicsContext context(result.calibrated, recording, {result.calibrated.X_WB});
   const double moved = RoundingAtPoint(context, quanta);

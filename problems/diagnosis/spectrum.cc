@@ -31,13 +31,21 @@ struct JointSums {
   std::vector<int> before;  // recording row before, -1 = none
 };
 
-JointSums SumsOf(const DesignRows& rows,
-                 const MatrixXd& basis,
-                 const VectorXd& y,
-                 int slot,
-                 int recording_rows) {
+/// Factors by which the columns of now() and before() are multiplied. The rows' own columns are
+/// those times W = I - U diag(shrunk) U': a column's squares are less by those of diag(2 shrunk -
+/// shrunk^2)^1/2 U' times it, and its products with basis and y are those with W basis and W y.
+MatrixXd FactorsOf(const DesignRows& rows, const MatrixXd& basis, const VectorXd& y) {
+  const Eigen::ArrayXd shrunk = rows.shrunk().array();
+  MatrixXd factors(y.size(), shrunk.size() + basis.cols() + 1);
+  factors << rows.shared() * (2 * shrunk - shrunk.square()).sqrt().matrix().asDiagonal(),
+      rows.Shrunk(basis), rows.Shrunk(y);
+  return factors;
+}
+
+/// `factors`: y's last.
+JointSums SumsOf(const DesignRows& rows, const MatrixXd& factors, int slot, int recording_rows) {
   JointSums sums;
-  sums.products.setZero(recording_rows, basis.cols() + 1);
+  sums.products.setZero(recording_rows, factors.cols());
   sums.square.setZero(recording_rows);
   sums.cross.setZero(recording_rows);
   sums.before.assign(static_cast<std::size_t>(recording_rows), -1);
@@ -54,8 +62,8 @@ JointSums SumsOf(const DesignRows& rows,
     sums.cross[now] -= 2 * z_now * z_before;
     sums.before[static_cast<std::size_t>(now)] = before;
   }
-  for (Index column = 0; column <= basis.cols(); ++column) {
-    const double* const factor = column < basis.cols() ? basis.col(column).data() : y.data();
+  for (Index column = 0; column < factors.cols(); ++column) {
+    const double* const factor = factors.col(column).data();
     double* const product = sums.products.col(column).data();
     for (int k = 0; k < rows.num_rows(); ++k) {
       const auto i = static_cast<std::size_t>(k);
@@ -205,10 +213,11 @@ std::vector<SpectralPeak> ScanOrders(const PhysicsContext& c,
   for (int joint = 0; joint < c.num_joints(); ++joint) {
     if (IsScanned(c, joint)) joints.push_back(joint);
   }
+  const MatrixXd factors = FactorsOf(rows, basis, y);
   std::vector<SpectralPeak> peaks(joints.size());
   ParallelFor(static_cast<int>(joints.size()), [&](int k) {
     const auto i = static_cast<std::size_t>(k);
-    const JointSums sums = SumsOf(rows, basis, y, c.joint_slot(joints[i]), c.num_rows());
+    const JointSums sums = SumsOf(rows, factors, c.joint_slot(joints[i]), c.num_rows());
     peaks[i] = HighestPeak(c, sums, joints[i]);
   });
   const double width = ScanWidth(c);

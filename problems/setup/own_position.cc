@@ -26,7 +26,7 @@ std::optional<SetupCause> OwnPosition(const Files& files, double misfit) {
   if (decimals < kFewestDecimals || decimals > kMostDecimals) return std::nullopt;
   const double quantum = kMillimetre * std::pow(10.0, -decimals);
   // Three coordinates, each uniform within half a quantum; joints likewise, at the arm's length.
-  const Eigen::VectorXd joints = ReadOutQuanta(recording, files.robot());
+  const Eigen::VectorXd joints = ReadOutOf(recording, files.robot()).last_digit();
   const double rounding = std::sqrt(
       (3 * quantum * quantum + std::pow(ReachOf(files.robot()), 2) * joints.squaredNorm()) / 12);
   if (!(misfit <= kWithin * rounding)) return std::nullopt;

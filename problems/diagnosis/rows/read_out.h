@@ -17,11 +17,21 @@ constexpr int kExactDecimals = 6;
 /// more.
 int DecimalsOf(const Eigen::VectorXd& values);
 
-/// Last digit of each joint's column [rad or m], read from its values: the fewest decimals, of
-/// degrees or millimetres, that hold all of them. 0 where they have six or more: then the column is
-/// exact as far as any arm is. 0, too, where the values are those of a grid, or whole degrees or
-/// millimetres: they were commanded, not read.
-Eigen::VectorXd ReadOutQuanta(const Recording& recording, const RobotModel& robot);
+/// What the last digit of each joint's column leaves open [rad or m]; 0 = the column is exact.
+struct ReadOut {
+  /// Of a column that was read: every row has a rounding of its own.
+  Eigen::VectorXd quantum;
+  /// Of a column of few places that do not fit their last digit (-66.67, -33.33, 0, ...): what was
+  /// rounded off a place comes back wherever the joint stops at it, as an error of its gear would.
+  Eigen::VectorXd level;
+  /// The one or the other.
+  Eigen::VectorXd last_digit() const { return quantum + level; }
+};
+
+/// Reads the last digit from a column's values: the fewest decimals, of degrees or millimetres,
+/// that hold all of them. Six or more are exact as far as any arm is; so are whole degrees or
+/// millimetres, and places a whole number of some step apart: they were commanded, not read.
+ReadOut ReadOutOf(const Recording& recording, const RobotModel& robot);
 
 /// A number per row; rows with the same one have equal joint coordinates within the read-out (a
 /// parked joint's jitter included).

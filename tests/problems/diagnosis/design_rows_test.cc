@@ -5,9 +5,11 @@
 #include <cmath>
 #include <string>
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
+#include "core/base/units.h"
 #include "problems/diagnosis/projection.h"
 #include "residuals/registry.h"
 #include "tests/support/recorder.h"
@@ -52,6 +54,42 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"shared", KindNamed("adjacent_position"), NoiseKind::kSharedPose},
                     Kind{"distance", KindNamed("distance"), NoiseKind::kIndependent}),
     [](const auto& param) { return std::string(param.param.name); });
+
+TEST(DesignRows, RoundingAtPlacesIsNoiseThatTheirRowsShare) {
+  const TrueRobot truth = MakeTrueRobot(Kr15(), 5);
+  for (const NoiseKind noise : {NoiseKind::kIndependent, NoiseKind::kSharedPose}) {
+    const char* kind = noise == NoiseKind::kSharedPose ? "adjacent_position" : "position";
+    const ProblemSpec spec = MakeSpec(truth.nominal, KindNamed(kind), noise);
+    RecordingPlan plan;
+    plan.poses = 40;
+    Recording recording = Record(truth, spec, plan);
+    const double quantum = 0.01 * kDegree;
+    for (int row = 0; row < 40; ++row) recording.q(row, 2) = (row % 4) * 20.01 * kDegree;
+    const Calibration c(spec, recording);
+    const Eigen::MatrixXd deltas = Eigen::MatrixXd::Zero(c.chain.slots().size(), 40);
+    RowWeights weights;
+    weights.noise = {20e-6, 50e-6};
+    const DesignRows plain(c, deltas, weights, c.readings.fitted);
+    weights.read_out.quantum = Eigen::VectorXd::Zero(6);
+    weights.read_out.level = Eigen::VectorXd::Unit(6, 2) * quantum;
+    const DesignRows rounded(c, deltas, weights, c.readings.fitted);
+
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(plain.num_rows(), plain.num_rows());
+    for (int place = 0; place < 4; ++place) {
+      Eigen::VectorXd weight = Eigen::VectorXd::Zero(40);
+      for (int row = place; row < 40; row += 4) weight[row] = quantum / std::sqrt(12.0);
+      const Eigen::VectorXd column =
+          plain.Column({{c.chain.slots().joint(2, JointSlot::kTheta), weight}});
+      covariance += column * column.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance);
+    const Eigen::MatrixXd A = eigen.operatorInverseSqrt() * plain.Geometry(c.parameters);
+    EXPECT_LT((rounded.Geometry(c.parameters) - A).norm(), 1e-9 * A.norm()) << kind;
+    const Eigen::VectorXd y = eigen.operatorInverseSqrt() * plain.y();
+    EXPECT_LT((rounded.y() - y).norm(), 1e-9 * y.norm()) << kind;
+    EXPECT_LT(y.norm(), 0.999 * plain.y().norm()) << "else nothing was to take out";
+  }
+}
 
 TEST(OrthonormalBasis, MakesNoDirectionsOutOfRounding) {
   Eigen::MatrixXd J = Eigen::MatrixXd::Random(30, 4);
