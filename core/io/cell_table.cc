@@ -19,30 +19,35 @@ SourceLocation CellTable::Where(const Row& row, const char* at) const {
 
 SourceLocation CellTable::NameWhere(int column_idx) const {
   if (!has_header_) return CellWhere(0, column_idx);
-  return Where(header_.row, name(column_idx).data());
+  return Where(header_.row, header_.cells[column_idx].data());
 }
 
 SourceLocation CellTable::CellWhere(int row_idx, int column_idx) const {
   return Where(rows_[row_idx], cell(row_idx, column_idx).data());
 }
 
-std::optional<CellTable> ParseTable(const std::string& file, std::string text, FileErrors* errors) {
-  return TableParser(file, std::move(text), errors).Parse();
+std::optional<CellTable> ParseTable(const std::string& file,
+                                    std::string text,
+                                    FileErrors* errors,
+                                    const IsUnit& is_unit) {
+  return TableParser(file, std::move(text), errors, is_unit).Parse();
 }
 
-std::optional<CellTable> ReadTable(const std::string& file, FileErrors* errors) {
+std::optional<CellTable> ReadTable(const std::string& file,
+                                   FileErrors* errors,
+                                   const IsUnit& is_unit) {
   Diagnostics diagnostics;
   std::error_code status;
   if (IsMatFile(file) && std::filesystem::is_regular_file(file, status)) {
     std::optional<std::string> text = MatToText(file, errors);
     if (!text) return std::nullopt;
-    return ParseTable(file, std::move(*text), errors);
+    return ParseTable(file, std::move(*text), errors, is_unit);
   }
   bool utf16 = false;
   std::optional<std::string> text = ReadTextFile(file, &diagnostics, &utf16);
   for (const Diagnostic& error : diagnostics.all()) errors->Error(error.where, error.message);
   if (!text) return std::nullopt;
-  TableParser parser(file, std::move(*text), errors);
+  TableParser parser(file, std::move(*text), errors, is_unit);
   if (utf16) parser.AddNote("UTF-16 text");
   return parser.Parse();
 }

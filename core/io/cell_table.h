@@ -5,6 +5,7 @@
 #define DHCAL_CORE_IO_CELL_TABLE_H_
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,8 +33,13 @@ class CellTable {
 
   /// False when the first row holds numbers; names are then "1", "2" ...
   bool has_header() const { return has_header_; }
-  /// May be blank for a first column that merely counts the rows.
-  std::string_view name(int column_idx) const { return header_.cells[column_idx]; }
+  /// As the header's own line says it.
+  std::string_view own_name(int column_idx) const { return header_.cells[column_idx]; }
+  /// With its unit, where a second line has it. May be blank for a first column that merely counts
+  /// the rows.
+  std::string_view name(int column_idx) const {
+    return joined_.empty() ? header_.cells[column_idx] : std::string_view(joined_[column_idx]);
+  }
   std::string_view cell(int row_idx, int column_idx) const {
     return cells_[CellIndex(row_idx, column_idx)];
   }
@@ -68,18 +74,28 @@ class CellTable {
   bool has_header_ = true;
   std::vector<std::string> numbers_;  // the names of columns without a header
   Header header_;
+  std::vector<std::string> joined_;  // the names with the units of a second line; empty = none
   std::vector<Row> rows_;
   std::vector<std::string_view> cells_;  // row by row
   std::vector<bool> unusual_;            // columns with cells other than plain numbers
   std::vector<TableDoubt> doubts_;       // one per column
 };
 
+/// True for a cell that says a unit. A first row of nothing else is a second line of the header,
+/// and its units are joined to the names: "x [mm]".
+using IsUnit = std::function<bool(std::string_view)>;
+
 /// The table without the rows whose number of cells is wrong, or nothing when there is no row.
 /// `errors` says what is wrong, and one note what was taken otherwise than as commas and points.
-std::optional<CellTable> ReadTable(const std::string& file, FileErrors* errors);
+std::optional<CellTable> ReadTable(const std::string& file,
+                                   FileErrors* errors,
+                                   const IsUnit& is_unit = {});
 
 /// The same from text that is in memory.
-std::optional<CellTable> ParseTable(const std::string& file, std::string text, FileErrors* errors);
+std::optional<CellTable> ParseTable(const std::string& file,
+                                    std::string text,
+                                    FileErrors* errors,
+                                    const IsUnit& is_unit = {});
 
 }  // namespace dhcal
 

@@ -33,9 +33,17 @@ std::string_view WithoutSigns(std::string_view comment) {
   return comment;
 }
 
+/// "[mm]" or "(mm)" as "mm".
+std::string_view WithoutBrackets(std::string_view cell) {
+  const bool bracketed = cell.size() > 2 && ((cell.front() == '[' && cell.back() == ']') ||
+                                             (cell.front() == '(' && cell.back() == ')'));
+  return bracketed ? Trim(cell.substr(1, cell.size() - 2)) : cell;
+}
+
 }  // namespace
 
-TableParser::TableParser(std::string file, std::string text, FileErrors* errors) : errors_(errors) {
+TableParser::TableParser(std::string file, std::string text, FileErrors* errors, IsUnit is_unit)
+    : errors_(errors), is_unit_(std::move(is_unit)) {
   table_.file_ = std::move(file);
   table_.text_ = std::make_unique<std::string>(std::move(text));
   table_.format_ = GuessFormat(*table_.text_);
@@ -220,8 +228,29 @@ void TableParser::ReadRow(std::string_view line) {
     ReportLength(line);
     return;
   }
+  if (table_.rows_.empty() && table_.joined_.empty() && JoinUnits()) return;
   table_.rows_.push_back(row_);
   table_.cells_.insert(table_.cells_.end(), line_cells_.begin(), line_cells_.end());
+}
+
+bool TableParser::JoinUnits() {
+  if (!is_unit_ || !table_.has_header_) return false;
+  std::vector<std::string> joined;
+  bool any = false;
+  for (std::size_t i = 0; i < line_cells_.size(); ++i) {
+    const std::string_view unit = WithoutBrackets(line_cells_[i]);
+    const bool none = unit.empty() || unit == "-";
+    if (!none && !is_unit_(unit)) return false;
+    any = any || !none;
+    joined.emplace_back(table_.header_.cells[i]);
+    if (!none) joined.back() += fmt::format(" [{}]", unit);
+  }
+  if (!any) return false;
+  // Nor do these cells say anything of the columns' numbers.
+  table_.unusual_.clear();
+  table_.joined_ = std::move(joined);
+  AddNote(fmt::format("the units in line {}", row_.line));
+  return true;
 }
 
 bool TableParser::CountsRows(int column_idx) const {

@@ -17,7 +17,7 @@ namespace dhcal {
 
 class TableParser {
  public:
-  TableParser(std::string file, std::string text, FileErrors* errors);
+  TableParser(std::string file, std::string text, FileErrors* errors, IsUnit is_unit);
 
   /// For the note that says how the table was read.
   void AddNote(std::string what) { notes_.push_back(std::move(what)); }
@@ -36,6 +36,8 @@ class TableParser {
   /// The header out of a comment line, as numpy writes it; or numbers as names.
   void MakeHeader();
   void ReadRow(std::string_view line);
+  /// Joins the cells of the row at hand to the names where all that are not blank are units.
+  bool JoinUnits();
   /// Whether the row has the header's number of cells, once blank ones at its end are left out.
   bool FitLength();
 
@@ -55,6 +57,7 @@ class TableParser {
 
   CellTable table_;
   FileErrors* errors_;
+  IsUnit is_unit_;
   std::vector<std::string> notes_;
   std::array<unsigned char, 256> class_{};
   Row row_;          // of the line at hand

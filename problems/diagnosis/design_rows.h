@@ -115,9 +115,9 @@ class DesignRows {
   Eigen::VectorXd y_;
   Eigen::MatrixXd now_, before_;
   std::vector<int> now_row_, before_row_;
-  int num_series_ = 0;  // with shared differences; else none
+  int num_series_ = 0;                   // with shared differences; else none
   Eigen::SparseMatrix<double> offsets_;  // orthonormal
-  Eigen::MatrixXd shared_;  // rows x errors; without a column where there is none
+  Eigen::MatrixXd shared_;               // rows x errors; without a column where there is none
   Eigen::VectorXd shrunk_;
 };
 

@@ -22,7 +22,8 @@ constexpr double kSlideRange = 0.3;  // [m]
 
 /// Approach directions decide, and a row has them: from its columns or the row before.
 bool IsBacklashByDirection(const EffectRequest& effect) {
-  return effect.effect == "backlash" && effect.setting("flank", 0) == 0;
+  return effect.effect == "backlash" &&
+         (effect.setting("flank", 0) == 0 || effect.setting("friction_Nm", 0) > 0);
 }
 
 bool IsPredictable(const EffectRequest& effect) {

@@ -3,14 +3,19 @@
 //   d theta_j = (b / 2) s_j                  b [rad] full width; a prismatic joint: d d_j, b [m]
 //
 // s_j = sense of the last motion (the `dir` columns, else from the previous row of the run). With
-// the setting flank = 1 gravity preloads the gear and decides: s_j = sign of gravity's torque.
+// the setting flank = 1 gravity preloads the gear and decides: s_j = sign of gravity's torque where
+// that is beyond friction_Nm; within, the last motion decides, and the link stays behind the motor.
 // Friction wind-up looks the same (the residual friction torque changes sign with the approach):
 // nothing in static readings tells the two apart, so the finding names both.
 // b < 0 by approach direction is no play: the controller overcompensates, or it is wind-up of the
 // measured side.
 // Typical: 0.1-0.3 mrad (RV lost motion 1 arcmin). Source: PHYSICS.md B1, F1.
 // Worked number: b = 0.3 mrad, last motion in the negative sense: -0.15 mrad.
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -22,14 +27,49 @@ namespace {
 
 constexpr double kTypicalAngle = 2e-4;   // [rad]
 constexpr double kTypicalLength = 5e-5;  // [m] of a rack or a ball screw
+constexpr char kFriction[] = "friction_Nm";
 
 bool ByTorque(const EffectRequest& request) { return request.setting("flank", 0) != 0; }
 
 Eigen::VectorXd Flank(const PhysicsContext& c, const EffectRequest& request) {
   const int joint = JointIndex(request);
   if (!ByTorque(request)) return c.direction().col(joint);
-  const Eigen::VectorXd torque = GravityTorque(c, MassCases(c, joint).front(), joint);
-  return torque.unaryExpr([](double t) { return t > 0 ? 1.0 : t < 0 ? -1.0 : 0.0; });
+  const double friction = request.setting(kFriction, 0);
+  Eigen::VectorXd flank = GravityTorque(c, MassCases(c, joint).front(), joint);
+  for (Eigen::Index row = 0; row < flank.size(); ++row) {
+    const double torque = flank[row];
+    flank[row] = torque > friction    ? 1.0
+                 : torque < -friction ? -1.0
+                 : friction > 0       ? -c.direction()(row, joint)
+                                      : 0.0;
+  }
+  return flank;
+}
+
+/// The loaded flanks of which friction takes some of the rows: it is not known, so shares of the
+/// torques there are stand for it.
+std::vector<EffectRequest> WithFriction(const PhysicsContext& c, const EffectRequest& loaded) {
+  constexpr double kShares[] = {0.2, 0.4, 0.6, 0.8};
+  const int joint = JointIndex(loaded);
+  Eigen::VectorXd torque = GravityTorque(c, MassCases(c, joint).front(), joint).cwiseAbs();
+  std::sort(torque.begin(), torque.end());
+  std::vector<EffectRequest> variants;
+  for (const double share : kShares) {
+    EffectRequest variant = loaded;
+    const double friction =
+        torque[static_cast<Eigen::Index>(share * static_cast<double>(torque.size() - 1))];
+    variant.settings[kFriction] = friction;
+    if (friction > 0) variants.push_back(std::move(variant));
+  }
+  return variants;
+}
+
+std::string Decides(const EffectRequest& request) {
+  if (!ByTorque(request)) return "the approach direction";
+  const double friction = request.setting(kFriction, 0);
+  if (friction == 0) return "the sign of its gravity torque";
+  return fmt::format(
+      "the sign of its gravity torque, and within {:.2g} N m on the approach direction", friction);
 }
 
 class BacklashEffect final : public Effect {
@@ -39,7 +79,8 @@ class BacklashEffect final : public Effect {
             "play or friction wind-up: a joint stops short, depending on the approach",
             "d theta_j = (b / 2) s_j",
             "width [rad], of a prismatic joint [m]",
-            {{"flank", "0 = approach direction, 1 = sign of gravity torque"}},
+            {{"flank", "0 = approach direction, 1 = sign of gravity torque"},
+             {kFriction, "with flank = 1: below it the approach direction decides [N m]"}},
             "dir<j>, or poses in the order of the motion; robot.links with flank = 1",
             "0.1-0.3 mrad [PHYSICS.md B1, F1]"};
   }
@@ -66,7 +107,15 @@ class BacklashEffect final : public Effect {
                        0.5 * Flank(c, request))};
   }
   std::vector<EffectRequest> Candidates(const PhysicsContext& c) const override {
-    return WithVariant(*this, c, EveryJoint(c, "backlash", /*revolute_only=*/false), "flank");
+    std::vector<EffectRequest> requests =
+        WithVariant(*this, c, EveryJoint(c, "backlash", /*revolute_only=*/false), "flank");
+    const std::vector<EffectRequest> plain = requests;
+    for (const EffectRequest& request : plain) {
+      if (!ByTorque(request) || c.direction().col(JointIndex(request)).isZero(0)) continue;
+      for (EffectRequest& variant : WithFriction(c, request))
+        requests.push_back(std::move(variant));
+    }
+    return requests;
   }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& request) const override {
     return {"C4",
@@ -77,11 +126,10 @@ class BacklashEffect final : public Effect {
                        const EffectRequest& request,
                        const std::vector<EffectValue>& values) const override {
     const EffectValue width = Find(values, "width");
-    return fmt::format(
-        "{} has {} of backlash (or friction wind-up), depending on {}",
-        JointWords(context, request.joint),
-        AmountOfJoint(width),
-        ByTorque(request) ? "the sign of its gravity torque" : "the approach direction");
+    return fmt::format("{} has {} of backlash (or friction wind-up), depending on {}",
+                       JointWords(context, request.joint),
+                       AmountOfJoint(width),
+                       Decides(request));
   }
   WorkedExample Example() const override {
     WorkedExample example;

@@ -104,8 +104,8 @@ void ColumnNamer::Take(int column_idx, const KnownColumn& known) {
 int ColumnNamer::ColumnOf(const ColumnAlias& alias) const {
   std::vector<std::string> names;
   for (int i = 0; i < table_.num_columns(); ++i) {
-    if (table_.name(i) == alias.theirs) return i;
-    names.emplace_back(table_.name(i));
+    if (table_.name(i) == alias.theirs || table_.own_name(i) == alias.theirs) return i;
+    names.emplace_back(table_.own_name(i));
   }
   const std::string nearest = NearestName(alias.theirs, names);
   errors_->Error(

@@ -152,12 +152,18 @@ ColumnSpelling Spell(std::string_view name) {
   std::string_view rest = lower;
   spelling.unit = TakeUnitInBrackets(&rest);
   std::vector<std::string> words = WordsOf(rest);
-  if (spelling.unit.empty()) spelling.unit = TakeUnitWord(&words);
+  // "x_mm [mm]" says it twice.
+  std::vector<std::string> without = words;
+  const std::string unit = TakeUnitWord(&without);
+  if (spelling.unit.empty()) spelling.unit = unit;
+  if (spelling.unit == unit) words = without;
   spelling.number = TakeNumber(&words);
   if (spelling.number && spelling.unit.empty()) spelling.unit = TakeUnitWord(&words);  // q_deg(1)
   spelling.words = Joined(words);
   return spelling;
 }
+
+bool IsUnitWord(std::string_view text) { return !UnitOf(InLowerCase(text)).empty(); }
 
 std::string YamlWord(std::string_view text) {
   const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {

@@ -20,6 +20,9 @@ struct ColumnSpelling {
 
 ColumnSpelling Spell(std::string_view name);
 
+/// True for a unit as people write it: "mm", "degrees".
+bool IsUnitWord(std::string_view text);
+
 /// `text` as a key or value of a YAML map in braces: in quotes where it needs them.
 std::string YamlWord(std::string_view text);
 

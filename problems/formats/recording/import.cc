@@ -226,7 +226,7 @@ std::optional<std::string> ImportColumns(const std::string& file,
                                          Diagnostics* diagnostics) {
   FileErrors errors(file);
   std::optional<std::string> text;
-  if (const std::optional<CellTable> table = ReadTable(file, &errors)) {
+  if (const std::optional<CellTable> table = ReadTable(file, &errors, IsUnitWord)) {
     text = Importer(*table, std::move(joints)).Import();
   }
   errors.Report(diagnostics);

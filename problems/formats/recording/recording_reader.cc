@@ -197,7 +197,7 @@ std::optional<Recording> Read(const std::string& file,
                               Diagnostics* diagnostics) {
   FileErrors errors(file);
   std::optional<Recording> recording;
-  if (const std::optional<CellTable> table = ReadTable(file, &errors)) {
+  if (const std::optional<CellTable> table = ReadTable(file, &errors, IsUnitWord)) {
     const RecordingLayout layout = FindColumns(*table, joints, columns, &errors, joints_in);
     recording = RecordingFiller(*table, layout, static_cast<int>(joints.size()), &errors).Fill();
     recording->file = file;

@@ -44,11 +44,13 @@ def _weight(name, parameter, effect, joint, q, frames, carried, direction):
         end = settings.get("soft_torque_Nm", 0.0)
         return max(-end, min(torque, end)) if end > 0 else torque ** 3
     if name == "backlash":
-        if settings.get("flank", 0) != 0:
+        last = 0.0 if direction is None else JOINTS[joint]["sign"] * direction[joint]
+        if settings.get("flank", 0) == 0:
+            return 0.5 * last
+        friction = settings.get("friction_Nm", 0.0)
+        if abs(torque) > friction:
             return 0.5 * ((torque > 0) - (torque < 0))
-        if direction is None:
-            return 0.0
-        return 0.5 * JOINTS[joint]["sign"] * direction[joint]
+        return -0.5 * last if friction > 0 else 0.0
     raise NotImplementedError(name)
 
 

@@ -1,8 +1,10 @@
+#include <cmath>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/units.h"
 #include "core/physics/registry.h"
 #include "core/physics/worked_example.h"
 
@@ -31,6 +33,35 @@ TEST(Backlash, IsAnAngleOfATurningJointAndALengthOfASlidingOne) {
   EXPECT_THAT(SentenceFor(JointType::kPrismatic),
               testing::HasSubstr("0.300 +- 0.010 mm of backlash"));
   EXPECT_THAT(SentenceFor(JointType::kPrismatic), testing::EndsWith("[m]"));
+}
+
+/// One turning joint about a level axis that carries 2 kg at 0.5 m: torque -9.81 cos(q) N m.
+TEST(Backlash, OfALoadedGearIsTheLoadsBeyondFrictionAndTheLastMotionsWithin) {
+  RobotModel robot;
+  robot.joints.resize(1);
+  robot.joints[0].type = JointType::kRevolute;
+  robot.links = {{2, Eigen::Vector3d(0.5, 0, 0)}};
+  robot.X_WB = Eigen::Isometry3d(Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitX()));
+  Recording recording;
+  recording.q = Eigen::Vector4d(0, 0.25, 0.45, 1) * kPi;  // torque -9.81, -6.9, -1.5, +9.81
+  recording.numbers = Eigen::Vector4d(1, 2, 3, 4);
+  recording.direction = Eigen::Vector4d(1, 1, 1, -1);
+  EffectRequest request;
+  request.effect = "backlash";
+  request.joint = 1;
+  request.settings = {{"flank", 1}};
+  const auto weights = [&] {
+    const PhysicsContext context(robot, recording, {robot.X_WB});
+    const EffectColumn column = FindEffect("backlash")->Columns(context, request).front();
+    return Eigen::VectorXd(column.slots.front().weight);
+  };
+  EXPECT_EQ(weights(), Eigen::Vector4d(-0.5, -0.5, -0.5, 0.5));
+  request.settings["friction_Nm"] = 3;
+  EXPECT_EQ(weights(), Eigen::Vector4d(-0.5, -0.5, -0.5, 0.5));
+  recording.direction(2, 0) = -1;
+  EXPECT_EQ(weights(), Eigen::Vector4d(-0.5, -0.5, 0.5, 0.5)) << "the link stays behind";
+  request.settings["friction_Nm"] = 20;
+  EXPECT_EQ(weights(), Eigen::VectorXd(-0.5 * recording.direction.col(0)));
 }
 
 }  // namespace

@@ -28,8 +28,7 @@ class ScanOrdersLaw : public testing::TestWithParam<Kind> {};
 
 TEST_P(ScanOrdersLaw, RemovesWhatTheColumnsOfTheLineRemove) {
   const TrueRobot truth = MakeTrueRobot(Kr15(), 6);
-  const ProblemSpec spec =
-      MakeSpec(truth.nominal, KindNamed(GetParam().name), GetParam().noise);
+  const ProblemSpec spec = MakeSpec(truth.nominal, KindNamed(GetParam().name), GetParam().noise);
   RecordingPlan plan;
   plan.poses = kPoses;
   Recording recording = Record(truth, spec, plan);
@@ -66,15 +65,15 @@ TEST_P(ScanOrdersLaw, RemovesWhatTheColumnsOfTheLineRemove) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Kinds,
-    ScanOrdersLaw,
-    testing::Values(Kind{"position", NoiseKind::kIndependent, false},
-                    Kind{"position", NoiseKind::kIndependent, true},
-                    Kind{"adjacent_position", NoiseKind::kIndependent, true}),
-    [](const auto& param) {
-      return std::string(param.param.name) + (param.param.rounded ? "_rounded" : "");
-    });
+INSTANTIATE_TEST_SUITE_P(Kinds,
+                         ScanOrdersLaw,
+                         testing::Values(Kind{"position", NoiseKind::kIndependent, false},
+                                         Kind{"position", NoiseKind::kIndependent, true},
+                                         Kind{"adjacent_position", NoiseKind::kIndependent, true}),
+                         [](const auto& param) {
+                           return std::string(param.param.name) +
+                                  (param.param.rounded ? "_rounded" : "");
+                         });
 
 }  // namespace
 }  // namespace dhcal

@@ -62,6 +62,7 @@ struct Writing {
   bool header = true;
   std::string end = "\n";
   std::string row_end;  // behind the last cell of rows
+  Cells units;  // a second line of the header
   bool radians = false;
   std::function<std::string(double)> number = [](double x) { return fmt::format("{:.3f}", x); };
 };
@@ -78,6 +79,7 @@ std::string Write(const Writing& writing) {
   Cells names = writing.joint_names;
   names.insert(names.end(), writing.position_names.begin(), writing.position_names.end());
   if (writing.header) text += Joined(names, writing.separator) + writing.end;
+  if (!writing.units.empty()) text += Joined(writing.units, writing.separator) + writing.end;
   for (int row = 0; row < kRows; ++row) {
     Cells cells;
     for (int i = 0; i < kJoints; ++i) {
@@ -120,6 +122,8 @@ struct Form {
 };
 
 const Cells kUrNames = {"shoulder_pan", "shoulder_lift", "elbow", "wrist_1", "wrist_2", "wrist_3"};
+
+const Cells kUnits = {"deg", "deg", "deg", "deg", "deg", "deg", "mm", "mm", "mm"};
 
 Cells Numbered(const std::string& before, int first, const std::string& behind) {
   Cells names;
@@ -208,6 +212,26 @@ void AddTexts(std::vector<Form>* forms) {
     w->number = [](double x) { return fmt::format("{:.10e}", x); };
   });
   add("CarriageReturns", "", [](Writing* w) { w->end = "\r\n"; });
+}
+
+void AddUnits(std::vector<Form>* forms) {
+  Writing writing;
+  writing.joint_names = Numbered("J", 1, "");
+  writing.position_names = {"X", "Y", "Z"};
+  writing.units = kUnits;
+  forms->push_back({"UnitsBelowTheNames", Write(writing), "read with the units in line 2\n"});
+  for (std::string& unit : writing.units) unit = "[" + unit + "]";
+  forms->push_back({"UnitsInBracketsBelowTheNames", Write(writing), "the units in line 2"});
+  Writing twice;
+  twice.units = kUnits;
+  forms->push_back({"UnitsBelowNamesThatHaveThem", Write(twice), "the units in line 2"});
+  Writing words;
+  words.units = {"a", "b", "c", "d", "e", "f", "g", "h", "i"};
+  forms->push_back({"WordsBelowTheNames", Write(words), "'a' is not a number", true});
+  Writing contradictory;
+  contradictory.units = kUnits;
+  contradictory.units[0] = "rad";
+  forms->push_back({"UnitsThatContradictTheNames", Write(contradictory), "q1", true});
 }
 
 void AddFiles(std::vector<Form>* forms) {
@@ -344,6 +368,7 @@ void AddRos(std::vector<Form>* forms) {
 std::vector<Form> AllForms() {
   std::vector<Form> forms;
   AddTexts(&forms);
+  AddUnits(&forms);
   AddFiles(&forms);
   AddNames(&forms);
   AddRos(&forms);

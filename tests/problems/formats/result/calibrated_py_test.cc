@@ -186,7 +186,8 @@ TEST(CalibratedPy, HoldsEffectsOfThePose) {
            {{"knot_deg", 30}}),
       Held("axis_wobble", 1, {{"x", 5e-5}, {"y", -2e-5}}, {{"order", 2}}),
       Held("backlash", 4, {{"width", 3e-4}}),
-      Held("backlash", 3, {{"width", 2e-4}}, {{"flank", 1}})};
+      Held("backlash", 3, {{"width", 2e-4}}, {{"flank", 1}}),
+      Held("backlash", 2, {{"width", 2e-4}}, {{"flank", 1}, {"friction_Nm", 200}})};
   for (const RobotModel& robot : {Kr15(), Kr15Modified()}) {
     SCOPED_TRACE(robot.name);
     ExpectSamePoses(effects, WithMasses(robot));
