@@ -29,25 +29,25 @@ SourceLocation CellTable::CellWhere(int row_idx, int column_idx) const {
 std::optional<CellTable> ParseTable(const std::string& file,
                                     std::string text,
                                     FileErrors* errors,
-                                    const IsUnit& is_unit) {
-  return TableParser(file, std::move(text), errors, is_unit).Parse();
+                                    const SaysUnit& says_unit) {
+  return TableParser(file, std::move(text), errors, says_unit).Parse();
 }
 
 std::optional<CellTable> ReadTable(const std::string& file,
                                    FileErrors* errors,
-                                   const IsUnit& is_unit) {
+                                   const SaysUnit& says_unit) {
   Diagnostics diagnostics;
   std::error_code status;
   if (IsMatFile(file) && std::filesystem::is_regular_file(file, status)) {
     std::optional<std::string> text = MatToText(file, errors);
     if (!text) return std::nullopt;
-    return ParseTable(file, std::move(*text), errors, is_unit);
+    return ParseTable(file, std::move(*text), errors, says_unit);
   }
   bool utf16 = false;
   std::optional<std::string> text = ReadTextFile(file, &diagnostics, &utf16);
   for (const Diagnostic& error : diagnostics.all()) errors->Error(error.where, error.message);
   if (!text) return std::nullopt;
-  TableParser parser(file, std::move(*text), errors, is_unit);
+  TableParser parser(file, std::move(*text), errors, says_unit);
   if (utf16) parser.AddNote("UTF-16 text");
   return parser.Parse();
 }

@@ -83,19 +83,19 @@ class CellTable {
 
 /// True for a cell that says a unit. A first row of nothing else is a second line of the header,
 /// and its units are joined to the names: "x [mm]".
-using IsUnit = std::function<bool(std::string_view)>;
+using SaysUnit = std::function<bool(std::string_view)>;
 
 /// The table without the rows whose number of cells is wrong, or nothing when there is no row.
 /// `errors` says what is wrong, and one note what was taken otherwise than as commas and points.
 std::optional<CellTable> ReadTable(const std::string& file,
                                    FileErrors* errors,
-                                   const IsUnit& is_unit = {});
+                                   const SaysUnit& says_unit = {});
 
 /// The same from text that is in memory.
 std::optional<CellTable> ParseTable(const std::string& file,
                                     std::string text,
                                     FileErrors* errors,
-                                    const IsUnit& is_unit = {});
+                                    const SaysUnit& says_unit = {});
 
 }  // namespace dhcal
 

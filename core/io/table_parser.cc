@@ -42,8 +42,8 @@ std::string_view WithoutBrackets(std::string_view cell) {
 
 }  // namespace
 
-TableParser::TableParser(std::string file, std::string text, FileErrors* errors, IsUnit is_unit)
-    : errors_(errors), is_unit_(std::move(is_unit)) {
+TableParser::TableParser(std::string file, std::string text, FileErrors* errors, SaysUnit says_unit)
+    : errors_(errors), says_unit_(std::move(says_unit)) {
   table_.file_ = std::move(file);
   table_.text_ = std::make_unique<std::string>(std::move(text));
   table_.format_ = GuessFormat(*table_.text_);
@@ -234,13 +234,13 @@ void TableParser::ReadRow(std::string_view line) {
 }
 
 bool TableParser::JoinUnits() {
-  if (!is_unit_ || !table_.has_header_) return false;
+  if (!says_unit_ || !table_.has_header_) return false;
   std::vector<std::string> joined;
   bool any = false;
   for (std::size_t i = 0; i < line_cells_.size(); ++i) {
     const std::string_view unit = WithoutBrackets(line_cells_[i]);
     const bool none = unit.empty() || unit == "-";
-    if (!none && !is_unit_(unit)) return false;
+    if (!none && !says_unit_(unit)) return false;
     any = any || !none;
     joined.emplace_back(table_.header_.cells[i]);
     if (!none) joined.back() += fmt::format(" [{}]", unit);

@@ -17,7 +17,7 @@ namespace dhcal {
 
 class TableParser {
  public:
-  TableParser(std::string file, std::string text, FileErrors* errors, IsUnit is_unit);
+  TableParser(std::string file, std::string text, FileErrors* errors, SaysUnit says_unit);
 
   /// For the note that says how the table was read.
   void AddNote(std::string what) { notes_.push_back(std::move(what)); }
@@ -57,7 +57,7 @@ class TableParser {
 
   CellTable table_;
   FileErrors* errors_;
-  IsUnit is_unit_;
+  SaysUnit says_unit_;
   std::vector<std::string> notes_;
   std::array<unsigned char, 256> class_{};
   Row row_;          // of the line at hand

@@ -8,6 +8,7 @@
 #include "problems/diagnosis/hypotheses/bank.h"
 #include "problems/diagnosis/judge/certainty.h"
 #include "problems/diagnosis/loop.h"
+#include "problems/diagnosis/rows/moved_by_joint.h"
 #include "problems/diagnosis/rows/outliers.h"
 #include "problems/diagnosis/tuning.h"
 #include "problems/without_rows.h"
@@ -66,6 +67,23 @@ std::vector<Reading> Thinned(const std::vector<Reading>& readings) {
   return thinned;
 }
 
+/// The moving joints at the readings of fitted rows and test rows, one behind the other.
+std::vector<JointAtReadings> JointsAt(const PhysicsContext& c,
+                                      const DesignRows& fitted,
+                                      const DesignRows& test,
+                                      const std::vector<int>& rows) {
+  std::vector<JointAtReadings> joints;
+  for (int joint = 0; joint < c.num_joints(); ++joint) {
+    if (!c.moves(joint)) continue;
+    JointAtReadings at;
+    at.place = c.q(joint)(rows);
+    at.motion.resize(fitted.num_rows() + test.num_rows());
+    at.motion << fitted.now().col(c.joint_slot(joint)), test.now().col(c.joint_slot(joint));
+    joints.push_back(std::move(at));
+  }
+  return joints;
+}
+
 }  // namespace
 
 std::vector<Reading> Loop::GoodReadings(bool test) const {
@@ -116,12 +134,22 @@ void Loop::UpdateOutliers(const JointRows& joint, bool with_leverage) {
     }
   }
   const Outliers outliers = FindOutliers(residuals, in_.sigma_known);
-  off_.clear();
-  for (std::size_t k = 0; k < outliers.fitted.size(); ++k) {
-    if (outliers.fitted[k]) off_.insert(fitted.recording_row(static_cast<int>(k)));
+  std::vector<bool> off = outliers.fitted;
+  off.insert(off.end(), outliers.test.begin(), outliers.test.end());
+  std::vector<int> rows;
+  for (const DesignRows* const set : {&fitted, &test}) {
+    for (int k = 0; k < set->num_readings(); ++k) rows.push_back(set->recording_row(k));
   }
-  for (std::size_t k = 0; k < outliers.test.size(); ++k) {
-    if (outliers.test[k]) off_.insert(test.recording_row(static_cast<int>(k)));
+  // Of two poses no reading says which of them a joint moved.
+  std::vector<bool> moved(off.size(), false);
+  if (!c.measurement->kind().pairs) {
+    VectorXd y(fitted.num_rows() + test.num_rows());
+    y << fitted.y(), test.y();
+    moved = MovedByAJoint(JointsAt(*joint.context, fitted, test, rows), y, off);
+  }
+  off_.clear();
+  for (std::size_t k = 0; k < off.size(); ++k) {
+    if (off[k] && !moved[k]) off_.insert(rows[k]);
   }
 }
 

@@ -41,7 +41,7 @@ TEST(Backlash, OfALoadedGearIsTheLoadsBeyondFrictionAndTheLastMotionsWithin) {
   robot.joints.resize(1);
   robot.joints[0].type = JointType::kRevolute;
   robot.links = {{2, Eigen::Vector3d(0.5, 0, 0)}};
-  robot.X_WB = Eigen::Isometry3d(Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitX()));
+  robot.gravity_B = {0, -9.81, 0};
   Recording recording;
   recording.q = Eigen::Vector4d(0, 0.25, 0.45, 1) * kPi;  // torque -9.81, -6.9, -1.5, +9.81
   recording.numbers = Eigen::Vector4d(1, 2, 3, 4);

@@ -62,7 +62,7 @@ struct Writing {
   bool header = true;
   std::string end = "\n";
   std::string row_end;  // behind the last cell of rows
-  Cells units;  // a second line of the header
+  Cells units;          // a second line of the header
   bool radians = false;
   std::function<std::string(double)> number = [](double x) { return fmt::format("{:.3f}", x); };
 };

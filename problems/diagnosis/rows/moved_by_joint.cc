@@ -1,0 +1,100 @@
+#include "problems/diagnosis/rows/moved_by_joint.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+#include <boost/math/distributions/binomial.hpp>
+
+namespace dhcal {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// Of a reading's squares that its joint's motion explains; a third of three coordinates by chance.
+constexpr double kAlongMotion = 0.6;
+constexpr int kFewest = 4, kMost = 60;  // readings of one place
+constexpr double kChance = 1e-3;
+
+/// Which of the readings that lie off are off along the joint's motion.
+std::vector<bool> AlongMotion(const JointAtReadings& joint,
+                              const VectorXd& residuals,
+                              const std::vector<bool>& off) {
+  std::vector<bool> along(off.size(), false);
+  const Index m = residuals.size() / std::max<Index>(1, static_cast<Index>(off.size()));
+  for (std::size_t k = 0; k < off.size(); ++k) {
+    if (!off[k]) continue;
+    const auto first = static_cast<Index>(k) * m;
+    const auto r = residuals.segment(first, m), c = joint.motion.segment(first, m);
+    const double product = c.dot(r);
+    along[k] = product * product > kAlongMotion * c.squaredNorm() * r.squaredNorm();
+  }
+  return along;
+}
+
+struct Window {
+  std::size_t first = 0, last = 0;  // among the candidates, in order of the joint's places
+  double p = 1;
+};
+
+/// The range, from one candidate to another, that chance fills so with candidates least. `rank`: of
+/// each candidate among all readings. A range begins and ends at a candidate anyway, so only those
+/// between them count.
+Window LeastLikely(const std::vector<int>& rank, std::size_t readings) {
+  Window least;
+  const auto candidates = static_cast<double>(rank.size());
+  const double rate = candidates / static_cast<double>(readings);
+  for (std::size_t first = 0; first < rank.size(); ++first) {
+    const std::size_t end = std::min(rank.size(), first + kMost);
+    for (std::size_t last = first + kFewest - 1; last < end; ++last) {
+      const int between = rank[last] - rank[first] - 1;
+      const auto inside = static_cast<double>(last - first - 1);
+      const boost::math::binomial chance(between, rate);
+      const double p = boost::math::cdf(boost::math::complement(chance, inside - 1));
+      if (p < least.p) least = {first, last, p};
+    }
+  }
+  least.p *= candidates * (candidates - 1) / 2;
+  return least;
+}
+
+/// Marks the readings of all such places of one joint.
+void MarkPlaces(const JointAtReadings& joint,
+                std::vector<bool> along,
+                double joints,
+                std::vector<bool>* moved) {
+  std::vector<std::size_t> order(along.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return joint.place[static_cast<Index>(a)] < joint.place[static_cast<Index>(b)];
+  });
+  while (true) {
+    std::vector<int> rank;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      if (along[order[k]]) rank.push_back(static_cast<int>(k));
+    }
+    const Window window = LeastLikely(rank, order.size());
+    if (!(joints * window.p < kChance)) return;
+    for (std::size_t k = window.first; k <= window.last; ++k) {
+      const std::size_t reading = order[static_cast<std::size_t>(rank[k])];
+      (*moved)[reading] = true;
+      along[reading] = false;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<bool> MovedByAJoint(const std::vector<JointAtReadings>& joints,
+                                const VectorXd& residuals,
+                                const std::vector<bool>& off) {
+  std::vector<bool> moved(off.size(), false);
+  for (const JointAtReadings& joint : joints) {
+    MarkPlaces(
+        joint, AlongMotion(joint, residuals, off), static_cast<double>(joints.size()), &moved);
+  }
+  return moved;
+}
+
+}  // namespace dhcal
