@@ -29,6 +29,8 @@ constexpr char kHelp[] =
     R"(ceres_dhcal: finds the real Denavit-Hartenberg parameters of a serial robot.
 
   ceres_dhcal --problem FILE.yaml [--problem ...] [options]
+  ceres_dhcal init NAME [--out FOLDER]     writes FOLDER/problem.yaml of a common robot, to edit
+  ceres_dhcal init --list                  prints the robots that there are
 
   --problem FILE    problem file; repeat the flag for several, which gives a summary table
   --out DIR         result folder (default <problem name>_result); with several problems the
