@@ -357,5 +357,17 @@ TEST_F(Program, InitNamesTheNearestRobotAndListsAll) {
   EXPECT_THAT(list.out, AllOf(HasSubstr("ur5e"), HasSubstr("Universal Robots UR5e")));
 }
 
+TEST_F(Program, AcceptEndsInThreeWhereTheErrorIsLargerAndTheResultStands) {
+  const std::string run = Case("kr15_noisy") + "--diagnosis never ";
+  const Outcome met = Run(run + "--accept 1mm");
+  EXPECT_EQ(met.exit_status, 0) << met.err;
+  EXPECT_THAT(met.out, HasSubstr("Accepted: on rows that were not fitted"));
+  const Outcome missed = Run(run + "--accept 1um --quiet");
+  EXPECT_EQ(missed.exit_status, 3);
+  EXPECT_THAT(missed.err, AllOf(HasSubstr("kr15_noisy: not accepted"), HasSubstr("asked for")));
+  EXPECT_THAT(Files("kr15_noisy_result"), ::testing::Contains("calibrated.yaml"));
+  EXPECT_EQ(Run(run + "--accept 1").exit_status, 2);
+}
+
 }  // namespace
 }  // namespace dhcal
