@@ -166,8 +166,13 @@ Section MovedSection(const ReadResult& a, const ReadResult& b, const Moved& move
   Section section{"WHAT MOVED", {}};
   section.blocks.push_back(Paragraph{{MovedSentence(moved)}, ""});
   if (!moved.determined.empty()) section.blocks.push_back(MovedTable(moved));
-  AddNames(
-      "Not determined by one or both (right only in company, not compared):", moved.open, &section);
+  AddNames("Not compared:", moved.open, &section);
+  if (!moved.open.empty()) {
+    section.blocks.push_back(
+        Paragraph{{"One or both recordings do not determine these by themselves; they are right "
+                   "only in company with others."},
+                  ""});
+  }
   AddNames("Estimated in A only:", moved.only_a, &section);
   AddNames("Estimated in B only:", moved.only_b, &section);
   std::vector<std::string> cautions = {
