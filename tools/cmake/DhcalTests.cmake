@@ -88,3 +88,9 @@ if(NOT DHCAL_SANITIZE AND NOT DHCAL_COVERAGE)
                    $<TARGET_OBJECTS:dhcal_core>
            COMMAND_EXPAND_LISTS)
 endif()
+# Installs this build, so only where all of it is built and none of it is instrumented.
+if(NOT DHCAL_SANITIZE AND NOT DHCAL_COVERAGE)
+  add_test(NAME tools/install
+           COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/install_test.py"
+                   "${CMAKE_COMMAND}" "${PROJECT_BINARY_DIR}")
+endif()
