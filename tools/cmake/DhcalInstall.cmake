@@ -17,8 +17,7 @@ install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CHANGELOG
               "${PROJECT_SOURCE_DIR}/problems/FORMATS.md" DESTINATION "${doc}" COMPONENT runtime)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${doc}" RENAME copyright
         COMPONENT runtime)
-install(FILES "${PROJECT_SOURCE_DIR}/third_party_notes/README.md" DESTINATION "${doc}"
-        RENAME third_party_notes.md COMPONENT runtime)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/third_party_notes" DESTINATION "${doc}" COMPONENT runtime)
 set(completions "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
 foreach(program IN LISTS programs)
   install(FILES "${packaging}/completion.bash" DESTINATION "${completions}" RENAME "${program}"
