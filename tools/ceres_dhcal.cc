@@ -2,6 +2,8 @@
 
 #include <exception>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -11,6 +13,7 @@
 #include "tools/support/batch.h"
 #include "tools/support/command_line.h"
 #include "tools/support/import_run.h"
+#include "tools/support/init_run.h"
 
 namespace {
 
@@ -29,6 +32,10 @@ void KeepMemory() {
 int main(int argc, char** argv) {
   KeepMemory();
   dhcal::StartQuietLog(argv[0]);
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words.front() == "init") {
+    return dhcal::RunInit({words.begin() + 1, words.end()});
+  }
   dhcal::CommandLine command_line;
   switch (dhcal::ParseCommandLine(argc, argv, &command_line)) {
     case dhcal::CommandLineStatus::kDone:

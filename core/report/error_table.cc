@@ -63,10 +63,15 @@ double ErrorAfter(const Result& result) {
   return Told(result.kind, fit.rms, fit.rms_point);
 }
 
+double ErrorUnseen(const Result& result) {
+  const ValidationResult& unseen = DeliveredValidation(result);
+  return Told(result.kind, unseen.rms_test, unseen.rms_point_test);
+}
+
 std::string Headline(const Result& result) {
   const MeasurementKind& kind = result.kind;
   const FitResult& fit = *result.delivered_fit();
-  const ValidationResult& unseen = DeliveredValidation(result);
+  const double unseen = ErrorUnseen(result);
   std::string text = fmt::format(
       "Error of the predicted {} ({}): {} with the {}, {} with calibrated.yaml",
       kind.noun,
@@ -74,9 +79,8 @@ std::string Headline(const Result& result) {
       WithMillimetres(ErrorBefore(result)),
       result.base_and_tool_only ? "nominal robot (base and tool fitted)" : WordsBefore(result),
       WithMillimetres(ErrorAfter(result)));
-  if (!std::isnan(unseen.rms_test)) {
-    text += fmt::format(", {} on rows that were not fitted",
-                        WithMillimetres(Told(kind, unseen.rms_test, unseen.rms_point_test)));
+  if (!std::isnan(unseen)) {
+    text += fmt::format(", {} on rows that were not fitted", WithMillimetres(unseen));
   }
   text += ".";
   // An estimated noise is of the model that was there when it was estimated.

@@ -25,6 +25,9 @@ std::string ErrorName(const MeasurementKind& kind);
 double ErrorBefore(const Result& result);
 double ErrorAfter(const Result& result);
 
+/// The same of the delivered model on rows that it has not seen; NaN where there are none.
+double ErrorUnseen(const Result& result);
+
 /// The answer in a sentence: the error with the nominal robot, after calibration, and on rows that
 /// were not fitted. The result has a usable fit.
 std::string Headline(const Result& result);

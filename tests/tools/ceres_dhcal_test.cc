@@ -324,5 +324,50 @@ TEST_F(Program, OutputDoesNotDependOnTheLocale) {
   EXPECT_THAT(plain.out, Not(HasSubstr("nan")));
 }
 
+TEST_F(Program, InitWritesAProblemFileOnceAndNeverOverAnother) {
+  const Outcome first = Run("init ur5e --out cell");
+  EXPECT_EQ(first.exit_status, 0) << first.err;
+  EXPECT_THAT(first.out, HasSubstr("ceres_dhcal --problem cell/problem.yaml"));
+  const std::string text = ReadAll(folder_ / "work/cell/problem.yaml");
+  EXPECT_THAT(text, AllOf(HasSubstr("a_mm: -392.2"), HasSubstr("TO DO")));
+  Write("cell/problem.yaml", "mine");
+  const Outcome again = Run("init ur10 --out cell");
+  EXPECT_EQ(again.exit_status, 2);
+  EXPECT_THAT(again.err, HasSubstr("cell/problem.yaml is there already and stays as it is"));
+  EXPECT_EQ(ReadAll(folder_ / "work/cell/problem.yaml"), "mine");
+}
+
+TEST_F(Program, AnInitializedProblemAsksForItsRecordingOnly) {
+  ASSERT_EQ(Run("init kuka_kr6_r900").exit_status, 0);
+  const Outcome outcome = Run("--problem problem.yaml");
+  EXPECT_EQ(outcome.exit_status, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("my_recording.csv"), HasSubstr("1 error in the input")));
+}
+
+TEST_F(Program, InitNamesTheNearestRobotAndListsAll) {
+  const Outcome wrong = Run("init ur5ee");
+  EXPECT_EQ(wrong.exit_status, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("did you mean 'ur5e'?"));
+  for (const char* const bad : {"init", "init ../ur5e", "init ur5e ur3", "init ur5e --colour"}) {
+    EXPECT_EQ(Run(bad).exit_status, 2) << bad;
+  }
+  EXPECT_THAT(Files("."), IsEmpty());
+  const Outcome list = Run("init --list");
+  EXPECT_EQ(list.exit_status, 0);
+  EXPECT_THAT(list.out, AllOf(HasSubstr("ur5e"), HasSubstr("Universal Robots UR5e")));
+}
+
+TEST_F(Program, AcceptEndsInThreeWhereTheErrorIsLargerAndTheResultStands) {
+  const std::string run = Case("kr15_noisy") + "--diagnosis never ";
+  const Outcome met = Run(run + "--accept 1mm");
+  EXPECT_EQ(met.exit_status, 0) << met.err;
+  EXPECT_THAT(met.out, HasSubstr("Accepted: on rows that were not fitted"));
+  const Outcome missed = Run(run + "--accept 1um --quiet");
+  EXPECT_EQ(missed.exit_status, 3);
+  EXPECT_THAT(missed.err, AllOf(HasSubstr("kr15_noisy: not accepted"), HasSubstr("asked for")));
+  EXPECT_THAT(Files("kr15_noisy_result"), ::testing::Contains("calibrated.yaml"));
+  EXPECT_EQ(Run(run + "--accept 1").exit_status, 2);
+}
+
 }  // namespace
 }  // namespace dhcal

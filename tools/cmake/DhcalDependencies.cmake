@@ -1,25 +1,22 @@
 # The libraries, all from the distribution (tools/packages.txt; licences: third_party_notes).
 # Imported targets' headers are system headers to the compiler: no warnings from them.
 
-find_package(Threads REQUIRED)
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(Ceres 2.1 REQUIRED)
-find_package(gflags REQUIRED)
-find_package(glog REQUIRED)
-find_package(yaml-cpp 0.7 REQUIRED)
-find_package(nlohmann_json 3.11 REQUIRED)
-find_package(fmt 9 REQUIRED)
-find_package(Boost 1.74 REQUIRED) # headers only: Boost.Math, Boost.Locale's UTF conversion
-
-# matio ships no CMake files.
-find_path(MATIO_INCLUDE_DIR matio.h REQUIRED)
-find_library(MATIO_LIBRARY matio REQUIRED)
-if(NOT TARGET matio::matio)
-  add_library(matio::matio UNKNOWN IMPORTED)
-  set_target_properties(
-    matio::matio PROPERTIES IMPORTED_LOCATION "${MATIO_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES
-                                                                 "${MATIO_INCLUDE_DIR}")
-endif()
+# Name and least version of each; the installed find_package(ceres_dhcal) looks for the same.
+set(DHCAL_PACKAGES
+    "Threads"
+    "Eigen3 3.4 NO_MODULE"
+    "Ceres 2.1"
+    "glog"
+    "yaml-cpp 0.7"
+    "nlohmann_json 3.11"
+    "fmt 9"
+    "Boost 1.74") # headers only: Boost.Math, Boost.Locale's UTF conversion
+foreach(package IN LISTS DHCAL_PACKAGES)
+  separate_arguments(words UNIX_COMMAND "${package}")
+  find_package(${words} REQUIRED)
+endforeach()
+find_package(gflags REQUIRED) # of the command line alone
+include(DhcalMatio)
 
 # yaml-cpp has its namespaced target only since 0.8.
 if(NOT TARGET yaml-cpp::yaml-cpp)

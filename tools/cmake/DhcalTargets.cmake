@@ -13,11 +13,11 @@ function(dhcal_library target)
     configure_file("${sources}.in" "${sources}" COPYONLY)
   endif()
   add_library(${target} STATIC ${sources})
-  target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}")
+  target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>")
   target_link_libraries(
     ${target}
     PUBLIC ${arg_DEPENDS}
-    PRIVATE dhcal_warnings)
+    PRIVATE $<BUILD_INTERFACE:dhcal_warnings>)
 endfunction()
 
 # dhcal_program(<name> DEPENDS <target>...)

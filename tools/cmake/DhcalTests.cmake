@@ -12,6 +12,7 @@ dhcal_library(
           dhcal_tools_study
           dhcal_tools_transfer
           dhcal_tools_compensate
+          dhcal_tools_compare
           dhcal_tools_proof
           GTest::gmock
           GTest::gtest)
@@ -86,4 +87,10 @@ if(NOT DHCAL_SANITIZE AND NOT DHCAL_COVERAGE)
            COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/simd_objects_test.py"
                    $<TARGET_OBJECTS:dhcal_core>
            COMMAND_EXPAND_LISTS)
+endif()
+# Installs this build, so only where all of it is built and none of it is instrumented.
+if(NOT DHCAL_SANITIZE AND NOT DHCAL_COVERAGE)
+  add_test(NAME tools/install
+           COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/install_test.py"
+                   "${CMAKE_COMMAND}" "${PROJECT_BINARY_DIR}")
 endif()

@@ -1,6 +1,5 @@
 #include "tools/support/batch.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/base/text.h"
 #include "core/report/error_table.h"
 #include "core/report/first_screen.h"
 #include "core/report/report.h"
@@ -26,6 +26,7 @@
 #include "problems/identify.h"
 #include "problems/judgement.h"
 #include "problems/simulate.h"
+#include "tools/support/acceptance.h"
 #include "tools/support/interrupt.h"
 #include "tools/support/progress_printer.h"
 
@@ -155,6 +156,26 @@ void Print(bool verbose, const Job& job, const Result& result, const std::string
   if (verbose && !folder.empty()) std::cout << "Results are in " << folder << "/\n" << std::flush;
 }
 
+/// Of several exit statuses the one that tells more than the others.
+int Worse(int a, int b) {
+  const auto rank = [](int status) {
+    return status == kExitBadInput ? 3 : status == kExitNoUsableResult ? 2 : status != kExitOk;
+  };
+  return rank(a) >= rank(b) ? a : b;
+}
+
+/// Judges a usable result by what --accept asks, and says so: a refusal in any case.
+void Accept(double limit, bool quiet, Outcome* outcome) {
+  const Acceptance acceptance = JudgeAcceptance(outcome->result, limit);
+  if (!acceptance.met) {
+    std::cerr << outcome->problem << ": " << acceptance.sentence << ".\n";
+    outcome->exit_status = kExitNotAccepted;
+    outcome->status = "not accepted";
+  } else if (!quiet) {
+    std::cout << "  " << Capitalised(acceptance.sentence) << ".\n" << std::flush;
+  }
+}
+
 Outcome RunJob(const CommandLine& command_line, Job* job) {
   const bool quiet = command_line.quiet;
   ProgressPrinter printer;
@@ -186,6 +207,7 @@ Outcome RunJob(const CommandLine& command_line, Job* job) {
                    : !outcome.result.setup.plausible
                        ? "implausible"
                        : ToString(outcome.result.fits.front().termination);
+  if (usable && command_line.accept) Accept(*command_line.accept, quiet, &outcome);
   // The table needs no rows, and many recordings' rows would not fit in memory together.
   outcome.result.residuals.clear();
   return outcome;
@@ -218,7 +240,7 @@ int RunBatch(const CommandLine& command_line) {
   std::vector<Outcome> outcomes;
   for (Job& job : jobs) {
     outcomes.push_back(RunJob(command_line, &job));
-    exit_status = std::max(exit_status, outcomes.back().exit_status);
+    exit_status = Worse(exit_status, outcomes.back().exit_status);
   }
   if (jobs.size() > 1 && !command_line.quiet) {
     std::vector<SummaryRow> rows;

@@ -11,12 +11,14 @@
 
 #include "core/base/text.h"
 #include "core/report/effect_list.h"
+#include "tools/support/acceptance.h"
 
 DEFINE_string(out, "", "result folder, default <problem name>_result");
 DEFINE_string(data_dir, "", "what ${DHCAL_DATA} in a problem file stands for");
 DEFINE_string(method, "", "overrides solver.method of the file");
 DEFINE_string(singular_value_tolerance, "", "overrides solver.singular_value_tolerance");
 DEFINE_string(diagnosis, "", "overrides diagnosis.run of the file");
+DEFINE_string(accept, "", "largest error on unseen rows that is accepted");
 DEFINE_string(import, "", "a table whose columns are guessed");
 DEFINE_bool(quiet, false, "print nothing but errors");
 DEFINE_bool(verbose, false, "print the whole report");
@@ -29,6 +31,8 @@ constexpr char kHelp[] =
     R"(ceres_dhcal: finds the real Denavit-Hartenberg parameters of a serial robot.
 
   ceres_dhcal --problem FILE.yaml [--problem ...] [options]
+  ceres_dhcal init NAME [--out FOLDER]     writes FOLDER/problem.yaml of a common robot, to edit
+  ceres_dhcal init --list                  prints the robots that there are
 
   --problem FILE    problem file; repeat the flag for several, which gives a summary table
   --out DIR         result folder (default <problem name>_result); with several problems the
@@ -39,6 +43,9 @@ constexpr char kHelp[] =
   --singular_value_tolerance T
                     noise | paper | a number, instead of the file's
   --diagnosis D     auto | always | never: look for left-out physics, instead of the file's
+  --accept LENGTH   0.1mm or 100um: end with exit status 3 where the error on rows that were not
+                    fitted (RMS; of points 3-D), the one that the first screen announces, is larger
+                    or no row was kept unseen
   --try_fix         where the files cannot belong together and one cure is certain, run on as if
                     they had been corrected; the files themselves stay as they are
   --import FILE     print which columns a recording probably has, as lines for the problem file to
@@ -52,7 +59,8 @@ Example:  ceres_dhcal --problem problems/cases/kr15.yaml
 
 Flags may be written with - or _ between words.
 
-Exit status: 0 a usable result, 1 no usable or plausible result (the report says why), 2 bad input.
+Exit status: 0 a usable result, 1 no usable or plausible result (the report says why), 2 bad input,
+3 a usable result that --accept does not accept.
 )";
 
 void AddProblems(const std::string& list, std::vector<std::string>* problems) {
@@ -109,7 +117,7 @@ const std::set<std::string>& Switches() {
 /// Flags that take a text.
 const std::set<std::string>& Texts() {
   static const std::set<std::string> names = {
-      "out", "data_dir", "method", "singular_value_tolerance", "diagnosis", "import"};
+      "out", "data_dir", "method", "singular_value_tolerance", "diagnosis", "import", "accept"};
   return names;
 }
 
@@ -171,6 +179,13 @@ CommandLineStatus ParseCommandLine(int argc, char** argv, CommandLine* command_l
     }
   }
   command_line->import = FLAGS_import;
+  if (!FLAGS_accept.empty()) {
+    command_line->accept = ParseLimit(FLAGS_accept);
+    if (!command_line->accept) {
+      return Refuse("--accept " + FLAGS_accept +
+                    ": expected a length above 0 with its unit, 0.1mm or 100um");
+    }
+  }
   if (command_line->problems.empty() && command_line->import.empty()) {
     return Refuse("no problem given; say --problem FILE.yaml");
   }

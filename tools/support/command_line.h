@@ -15,7 +15,8 @@ struct CommandLine {
   std::string diagnosis;
   std::string method;  // overrides the file when not empty
   std::string singular_value_tolerance;
-  std::string import;  // a table whose columns are guessed, instead of a run
+  std::string import;            // a table whose columns are guessed, instead of a run
+  std::optional<double> accept;  // [m] largest error on unseen rows
   bool quiet = false;
   bool verbose = false;
   bool try_fix = false;  // run on with the cure where the files are wrong
