@@ -11,6 +11,11 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(fmt 9 REQUIRED)
 find_package(Boost 1.74 REQUIRED) # headers only: Boost.Math, Boost.Locale's UTF conversion
 
+find_package(urdfdom_headers 1.0 REQUIRED)
+find_package(console_bridge REQUIRED) # where urdfdom's messages go
+find_package(urdfdom REQUIRED) # 3.0; its CMake files state no version
+find_package(pugixml 1.12 REQUIRED)
+
 # matio ships no CMake files.
 find_path(MATIO_INCLUDE_DIR matio.h REQUIRED)
 find_library(MATIO_LIBRARY matio REQUIRED)
@@ -35,6 +40,9 @@ set(DHCAL_DEPENDENCIES
     nlohmann_json::nlohmann_json
     fmt::fmt
     Boost::headers
+    urdfdom::urdfdom_model
+    console_bridge::console_bridge
+    pugixml::pugixml
     Threads::Threads)
 
 # SHA-256 of the proof's sealed answers. The program needs it not; the tests must not go without the
