@@ -16,7 +16,11 @@ using Eigen::Vector3d;
 /// What rounding leaves of zero or of a right angle.
 constexpr double kRounding = 4e-15;  // [m] or [rad]
 
-double CleanLength(double length) { return std::abs(length) < kRounding ? 0 : length; }
+/// On a grid of 1e-14 m: -0.5723, not -0.5722999999999999.
+double CleanLength(double length) {
+  constexpr double kGrid = 1e14;  // [1/m]
+  return std::round(length * kGrid) / kGrid + 0.0;
+}
 
 double CleanAngle(double angle) {
   const double right = std::round(angle / (kPi / 2)) * (kPi / 2);
@@ -35,6 +39,12 @@ void Clean(JointRow* row) {
   row->beta = CleanAngle(row->beta);
   row->d = CleanLength(row->d);
   row->a = CleanLength(row->a);
+}
+
+Isometry3d CleanFrame(Isometry3d X) {
+  X.translation() = X.translation().unaryExpr(&CleanLength).eval();
+  if (X.linear().isIdentity(kRounding)) X.linear().setIdentity();
+  return X;
 }
 
 /// The x axis along the common normal of the z axis and the line through `p` along `u`.
@@ -107,8 +117,7 @@ Isometry3d BaseOn(const JointAxis& axis) {
   Isometry3d X_AB = Isometry3d::Identity();
   X_AB.linear() << x, z.cross(x), z;
   X_AB.translation() = axis.p_A - z * z.dot(axis.p_A);
-  X_AB.translation() = X_AB.translation().unaryExpr([](double p) { return CleanLength(p); });
-  return X_AB;
+  return CleanFrame(X_AB);
 }
 
 /// The pose that a standard row makes with its joint at zero.
@@ -149,7 +158,7 @@ RowsOfAxes StandardRows(const std::vector<JointAxis>& axes, const Isometry3d& X_
     X_AL = X_AL * PoseOf(row);
     result.rows.push_back(row);
   }
-  result.X_TE = X_AL.inverse() * X_AE;
+  result.X_TE = CleanFrame(X_AL.inverse() * X_AE);
   return result;
 }
 

@@ -1,6 +1,7 @@
 // dhcal_convert from each form into each other: judged by kinematics written apart, at poses that
 // no conversion knows.
 #include <cmath>
+#include <cstddef>
 #include <sstream>
 #include <string>
 
@@ -213,6 +214,27 @@ TEST_F(ConvertTest, TheDataSheetIsRosKinematicsOfUrDescription) {
   back.to = "back.yaml";
   ASSERT_EQ(Run(back), kConvertOk) << said_;
   EXPECT_LT(LargestDifference(Robot("ur10.yaml"), Robot("back.yaml")), kTolerance);
+}
+
+/// Rounding leaves no traces in what people read.
+TEST_F(ConvertTest, TheDataSheetComesBackFromAUrdfDigitForDigit) {
+  WriteFile(folder_ / "ur10.yaml", kUr10);
+  ConvertOptions options;
+  options.from = "ur10.yaml";
+  options.to = "ur10.urdf";
+  ASSERT_EQ(Run(options), kConvertOk) << said_;
+  options.from = "ur10.urdf";
+  options.to = "back.yaml";
+  ASSERT_EQ(Run(options), kConvertOk) << said_;
+  const RobotModel sheet = Robot("ur10.yaml"), back = Robot("back.yaml");
+  for (std::size_t j = 0; j < sheet.joints.size(); ++j) {
+    EXPECT_EQ(back.joints[j].a, sheet.joints[j].a) << j;
+    EXPECT_EQ(back.joints[j].d, sheet.joints[j].d) << j;
+    EXPECT_EQ(back.joints[j].theta, 0) << j;
+    EXPECT_NEAR(back.joints[j].alpha, sheet.joints[j].alpha, 1e-15) << j;
+  }
+  EXPECT_TRUE(back.X_TQ.isApprox(Eigen::Isometry3d::Identity(), 0));
+  EXPECT_THAT(Text("back.yaml"), Not(HasSubstr("tool:")));
 }
 
 TEST_F(ConvertTest, CorrectionsGoIntoTheUrdfThatTheRowsComeFrom) {

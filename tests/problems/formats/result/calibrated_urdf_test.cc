@@ -135,7 +135,7 @@ TEST_F(CalibratedUrdfTest, NamesTheEffectsThatItCannotHold) {
   result.delivered->effects = {effect};
   const std::string text = CalibratedUrdf(*spec, result, &diagnostics_);
   EXPECT_THAT(text, HasSubstr("no URDF can hold"));
-  EXPECT_THAT(text, HasSubstr("joint_gain.3 (gain 0.0002, SI units)"));
+  EXPECT_THAT(text, HasSubstr("joint_gain at joint 3 (gain 0.0002, SI units)"));
   // Rows of no such robot: no file, and a warning.
   result.delivered->robot.joints[1].a += 1;
   EXPECT_EQ(CalibratedUrdf(*spec, result, &diagnostics_), "");
