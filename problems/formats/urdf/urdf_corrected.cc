@@ -57,8 +57,10 @@ struct Edit {
   std::string text;
 };
 
+/// Without what rounding leaves of zero.
 std::string Numbers(const Vector3d& v) {
-  return fmt::format("{} {} {}", v.x() + 0.0, v.y() + 0.0, v.z() + 0.0);  // + 0.0: no "-0"
+  const auto clean = [](double number) { return std::abs(number) < 1e-15 ? 0 : number; };
+  return fmt::format("{} {} {}", clean(v.x()), clean(v.y()), clean(v.z()));
 }
 
 /// A tag that is there is replaced; else one is put first into the joint, on a line of its own.
