@@ -77,6 +77,10 @@ void YamlSource::Warning(const SourceLocation& where, const std::string& message
   diagnostics_->Warning(where, message);
 }
 
+void YamlSource::AddAll(const Diagnostics& others) const {
+  for (const Diagnostic& other : others.all()) diagnostics_->Add(other);
+}
+
 std::optional<YAML::Node> YamlSource::Parse() const {
   try {
     if (!HoldsOneDocument()) return std::nullopt;

@@ -26,6 +26,8 @@ class YamlSource {
 
   void Error(const SourceLocation& where, const std::string& message) const;
   void Warning(const SourceLocation& where, const std::string& message) const;
+  /// Messages about another file that this one names.
+  void AddAll(const Diagnostics& others) const;
   /// Errors so far.
   int num_errors() const { return diagnostics_->num_errors(); }
 

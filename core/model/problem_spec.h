@@ -124,10 +124,18 @@ struct DiagnosisSpec {
   double false_alarm = 0.01;         // family-wise
 };
 
+/// The robot description (URDF) that the robot's rows were made from.
+struct UrdfSource {
+  std::string file;  // resolved path
+  std::string text;  // its content when it was read
+  std::string base_link, tip_link;
+};
+
 struct ProblemSpec {
   std::string file;  // path as given
   std::string name;
   RobotModel robot;
+  std::optional<UrdfSource> urdf;  // absent: the file has the rows themselves
   MeasurementSpec measurement;
   std::string recording;  // resolved path; empty when simulated
   SourceLocation recording_where;

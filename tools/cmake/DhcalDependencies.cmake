@@ -10,7 +10,11 @@ set(DHCAL_PACKAGES
     "yaml-cpp 0.7"
     "nlohmann_json 3.11"
     "fmt 9"
-    "Boost 1.74") # headers only: Boost.Math, Boost.Locale's UTF conversion
+    "Boost 1.74" # headers only: Boost.Math, Boost.Locale's UTF conversion
+    "urdfdom_headers 1.0"
+    "console_bridge" # where urdfdom's messages go
+    "urdfdom" # 3.0; its CMake files state no version
+    "pugixml 1.12")
 foreach(package IN LISTS DHCAL_PACKAGES)
   separate_arguments(words UNIX_COMMAND "${package}")
   find_package(${words} REQUIRED)
@@ -32,6 +36,9 @@ set(DHCAL_DEPENDENCIES
     nlohmann_json::nlohmann_json
     fmt::fmt
     Boost::headers
+    urdfdom::urdfdom_model
+    console_bridge::console_bridge
+    pugixml::pugixml
     Threads::Threads)
 
 # SHA-256 of the proof's sealed answers. The program needs it not; the tests must not go without the

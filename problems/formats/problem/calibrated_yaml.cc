@@ -1,10 +1,8 @@
 // calibrated.yaml: the problem file again, with the corrected robot as its nominal one. Built from
 // the file itself, so that everything the corrections do not concern stays as the user wrote it.
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,109 +11,11 @@
 #include <yaml-cpp/yaml.h>
 
 #include "core/base/text.h"
-#include "core/base/units.h"
-#include "core/math/rotation.h"
-#include "core/model/joint_numbers.h"
+#include "problems/formats/problem/robot_nodes.h"
 #include "problems/formats/result/result_writer.h"
 
 namespace dhcal {
 namespace {
-
-/// The shortest digits that read back as the same double.
-std::string Digits(double value) { return fmt::format("{}", value + 0.0); }  // + 0.0: no "-0"
-
-/// The degrees whose radians come closest to `angle`: the quotient may be off by one last bit.
-double DegreesOf(double angle) {
-  const double quotient = angle / kDegree;
-  double best = quotient;
-  for (const double towards : {-HUGE_VAL, HUGE_VAL}) {
-    const double neighbour = std::nextafter(quotient, towards);
-    if (std::abs(neighbour * kDegree - angle) < std::abs(best * kDegree - angle)) best = neighbour;
-  }
-  return best;
-}
-
-YAML::Node FlowMap() {
-  YAML::Node map(YAML::NodeType::Map);
-  map.SetStyle(YAML::EmitterStyle::Flow);
-  return map;
-}
-
-YAML::Node FlowList(const Eigen::Vector3d& numbers) {
-  YAML::Node list(YAML::NodeType::Sequence);
-  list.SetStyle(YAML::EmitterStyle::Flow);
-  for (const double number : numbers) list.push_back(Digits(number));
-  return list;
-}
-
-/// Null when the key is missing, which reads better below than the library's invalid node.
-YAML::Node Child(const YAML::Node& map, const std::string& key) {
-  if (!map.IsMap()) return YAML::Node();
-  const YAML::Node child = map[key];
-  return child.IsDefined() ? child : YAML::Node();
-}
-
-/// A map's entries whose key, without its unit suffix, is not in `stems`.
-YAML::Node Without(const std::set<std::string>& stems, const YAML::Node& map) {
-  YAML::Node rest = FlowMap();
-  if (!map.IsMap()) return rest;
-  for (const auto& entry : map) {
-    const std::string key = entry.first.Scalar();
-    if (stems.count(key.substr(0, key.find('_'))) == 0) rest[key] = entry.second;
-  }
-  return rest;
-}
-
-YAML::Node JointNode(const JointRow& joint, const YAML::Node& old) {
-  std::set<std::string> stems;
-  for (const JointNumber& number : kJointNumbers) stems.insert(number.name);
-  YAML::Node node = Without(stems, old);
-  // In the order that a row is usually written in: theta, d, a, alpha.
-  for (std::size_t slot = 0; slot < kNumJointNumbers; ++slot) {
-    const JointNumber& number = NumberOf(static_cast<JointSlot>(slot));
-    const double value = joint.*number.value;
-    // A plain DH row has no beta.
-    if (number.slot == JointSlot::kBeta && value == 0) continue;
-    const bool angle = number.unit == Unit::kRadian;
-    node[number.name + std::string(angle ? "_deg" : "_m")] =
-        Digits(angle ? DegreesOf(value) : value);
-  }
-  // A cure of the files may have turned it.
-  if (joint.sign < 0 || !Child(node, "sign").IsNull()) node["sign"] = joint.sign < 0 ? "-1" : "1";
-  return node;
-}
-
-void SetPose(const Eigen::Isometry3d& X, YAML::Node* node) {
-  const Eigen::Vector3d rpy = RpyFromRotation(X.linear());
-  (*node)["xyz_m"] = FlowList(X.translation());
-  (*node)["rpy_deg"] = FlowList({DegreesOf(rpy.x()), DegreesOf(rpy.y()), DegreesOf(rpy.z())});
-}
-
-YAML::Node FrameNode(const Eigen::Isometry3d& X,
-                     const std::vector<RunFrame>& frames_of_runs,
-                     const YAML::Node& old) {
-  YAML::Node node = Without({"xyz", "rpy", "runs"}, old);
-  SetPose(X, &node);
-  if (frames_of_runs.empty()) return node;
-  node["per_run"] = "true";
-  YAML::Node runs(YAML::NodeType::Map);
-  for (const RunFrame& frame : frames_of_runs) {
-    YAML::Node run = FlowMap();
-    SetPose(frame.X, &run);
-    runs[frame.run] = run;
-  }
-  node["runs"] = runs;
-  node.SetStyle(YAML::EmitterStyle::Block);
-  return node;
-}
-
-YAML::Node TargetsNode(const std::vector<Target>& targets, const YAML::Node& old) {
-  YAML::Node node(YAML::NodeType::Map);
-  for (const Target& target : targets) {
-    node[target.name] = FrameNode(target.X_TQ, {}, Child(old, target.name));
-  }
-  return node;
-}
 
 [[noreturn]] void ThrowChanged() {
   throw std::runtime_error("the problem file has changed since it was read");
@@ -144,19 +44,6 @@ bool Needed(const YAML::Node& old, const Eigen::Isometry3d& X, const std::vector
   return !old.IsNull() || !runs.empty() || !X.isApprox(Eigen::Isometry3d::Identity(), 0.0);
 }
 
-YAML::Node MassNode(const LinkMass& link) {
-  YAML::Node node = FlowMap();
-  node["mass_kg"] = Digits(link.mass);
-  node["com_m"] = FlowList(link.p_LC);
-  return node;
-}
-
-YAML::Node LinksNode(const std::vector<LinkMass>& links) {
-  YAML::Node list(YAML::NodeType::Sequence);
-  for (const LinkMass& link : links) list.push_back(MassNode(link));
-  return list;
-}
-
 /// Gravity and payload are given in the frames at the ends, which fixed rows had moved.
 void MoveToEnds(const RobotModel& calibrated, const YAML::Node& old_joints, YAML::Node* robot) {
   if (std::none_of(old_joints.begin(), old_joints.end(), IsFixedRow)) return;
@@ -174,6 +61,10 @@ bool SameMasses(const std::vector<LinkMass>& a, const std::vector<LinkMass>& b) 
 /// Rebuilt rather than changed in place: parts of the file may be shared through YAML aliases.
 /// `units` goes, because every number written here names its own unit.
 YAML::Node RobotNode(const RobotModel& calibrated, bool masses_changed, const YAML::Node& old) {
+  // The rows are no longer those of the URDF, or those of the table and the maker's deltas.
+  if (!Child(old, "urdf").IsNull() || !Child(old, "calibration_conf").IsNull()) {
+    return NewRobotNode(calibrated, old);
+  }
   YAML::Node robot(YAML::NodeType::Map);
   for (const auto& entry : old) {
     const std::string key = entry.first.Scalar();

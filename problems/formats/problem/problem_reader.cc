@@ -1,7 +1,6 @@
 #include "problems/formats/problem/problem_reader.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <tuple>
 #include <utility>
@@ -18,6 +17,7 @@
 #include "problems/formats/problem/effects_reader.h"
 #include "problems/formats/problem/measurement_reader.h"
 #include "problems/formats/problem/parameters_reader.h"
+#include "problems/formats/problem/path_resolver.h"
 #include "problems/formats/problem/robot_reader.h"
 #include "problems/formats/problem/simulation_reader.h"
 #include "problems/formats/problem/solver_reader.h"
@@ -27,37 +27,9 @@ namespace dhcal {
 namespace {
 
 constexpr int kSchema = 1;
-constexpr const char* kDataVariable = "${DHCAL_DATA}";
 
-/// "~/x" as a shell would have it.
-std::string WithHome(const std::string& path) {
-  const char* const home = std::getenv("HOME");
-  if (home == nullptr || !StartsWith(path, "~/")) return path;
-  return home + path.substr(1);
-}
-
-/// A path relative to the problem file, or below the data folder.
-std::string ResolvePath(const YamlValue& value, const std::string& data_dir) {
-  const std::optional<std::string> text = value.Text();
-  if (!text) return "";
-  if (StartsWith(*text, kDataVariable)) {
-    if (data_dir.empty()) {
-      value.Error(
-          fmt::format("starts with {}, but no data folder is known; give it with the flag "
-                      "--data_dir or the environment variable DHCAL_DATA",
-                      kDataVariable));
-      return "";
-    }
-    const std::string rest = text->substr(std::string(kDataVariable).size());
-    const std::size_t first = std::min(rest.find_first_not_of('/'), rest.size());
-    return (std::filesystem::path(data_dir) / rest.substr(first)).string();
-  }
-  if (text->find("${") != std::string::npos) {
-    value.Error(fmt::format(
-        "is '{}'; the only variable is {}, at the start", Printable(*text), kDataVariable));
-    return "";
-  }
-  return (std::filesystem::path(value.source()->file()).parent_path() / WithHome(*text)).string();
+PathResolver PathsOf(const std::string& data_dir) {
+  return [data_dir](const YamlValue& path) { return ResolvePath(path, data_dir); };
 }
 
 /// The name also names the result folder.
@@ -102,7 +74,7 @@ void ReadColumns(const YamlValue& value, std::vector<ColumnAlias>* columns) {
 void ReadSourceOfRows(YamlMap* map, const std::string& data_dir, ProblemSpec* spec) {
   const std::optional<YamlValue> recording = map->Find("recording");
   const std::optional<YamlValue> simulate = map->Find("simulate");
-  const PathResolver resolve = [&](const YamlValue& path) { return ResolvePath(path, data_dir); };
+  const PathResolver resolve = PathsOf(data_dir);
   if (recording) {
     spec->recording = resolve(*recording);
     spec->recording_where = recording->where();
@@ -137,7 +109,9 @@ void ReadProblem(const YamlValue& root, const std::string& data_dir, ProblemSpec
   if (!map.valid()) return;
   CheckSchema(&map);
   ReadName(&map, spec);
-  if (const auto robot = map.Require("robot")) ReadRobot(*robot, &spec->robot);
+  if (const auto robot = map.Require("robot")) {
+    ReadRobot(*robot, PathsOf(data_dir), &spec->robot, &spec->urdf);
+  }
   if (const auto measurement = map.Require("measurement")) {
     ReadMeasurement(*measurement, &spec->measurement);
     spec->robot.anchors = spec->measurement.anchors;

@@ -12,8 +12,10 @@
 #include "core/base/units.h"
 #include "core/io/yaml_map.h"
 #include "core/kinematics/dh_chain.h"
+#include "core/kinematics/dh_rows.h"
 #include "core/model/joint_numbers.h"
 #include "problems/formats/problem/pose_reader.h"
+#include "problems/formats/problem/robot_sources.h"
 
 namespace dhcal {
 
@@ -129,13 +131,6 @@ Eigen::Isometry3d PoseOf(const JointRow& row, DhConvention convention) {
   return DhChain(robot).LinkFrames(Eigen::VectorXd::Zero(1)).back();
 }
 
-/// Fixed rows before the first joint and behind the last one: they become part of base and tool.
-struct FixedEnds {
-  Eigen::Isometry3d before = Eigen::Isometry3d::Identity();
-  Eigen::Isometry3d behind = Eigen::Isometry3d::Identity();
-  bool any = false;
-};
-
 FixedEnds ReadJoints(YamlMap* map, const DhUnits& units, RobotModel* robot) {
   FixedEnds ends;
   const std::optional<YamlValue> value = map->Require("joints");
@@ -176,19 +171,6 @@ FixedEnds ReadJoints(YamlMap* map, const DhUnits& units, RobotModel* robot) {
   return ends;
 }
 
-/// Base, tool, targets and payload start from the first and last joint's frames.
-void FoldEnds(const FixedEnds& ends, RobotModel* robot) {
-  if (!ends.any) return;
-  robot->X_WB = robot->X_WB * ends.before;
-  for (RunFrame& frame : robot->base_of_run) frame.X = frame.X * ends.before;
-  // Gravity is given in the frame of the base that the file has.
-  robot->gravity_B = ends.before.linear().transpose() * robot->gravity_B;
-  robot->X_TQ = ends.behind * robot->X_TQ;
-  for (RunFrame& frame : robot->tool_of_run) frame.X = ends.behind * frame.X;
-  for (Target& target : robot->targets) target.X_TQ = ends.behind * target.X_TQ;
-  robot->payload.p_LC = ends.behind * robot->payload.p_LC;
-}
-
 void ReadTargets(YamlMap* map, RobotModel* robot) {
   const std::optional<YamlValue> tool = map->Find("tool");
   const std::optional<YamlValue> targets = map->Find("targets");
@@ -226,9 +208,26 @@ void ReadLinks(YamlMap* map, RobotModel* robot) {
   }
 }
 
+/// Base, tool and payload, with gravity in the base's frame.
+void ReadSurroundings(YamlMap* map, RobotModel* robot) {
+  if (const std::optional<YamlValue> base = map->Find("base")) {
+    ReadFrame(*base, &robot->X_WB, &robot->base_per_run, &robot->base_of_run);
+  }
+  ReadTargets(map, robot);
+  Eigen::VectorXd gravity = robot->gravity_B;
+  map->Read("gravity_m_s2", {{"", 1.0}}, 3, &gravity);
+  robot->gravity_B = gravity;
+  if (const std::optional<YamlValue> payload = map->Find("payload")) {
+    robot->payload = ReadMass(*payload);
+  }
+}
+
 }  // namespace
 
-void ReadRobot(const YamlValue& value, RobotModel* robot) {
+void ReadRobot(const YamlValue& value,
+               const PathResolver& resolve_path,
+               RobotModel* robot,
+               std::optional<UrdfSource>* urdf) {
   YamlMap map(value);
   robot->where = value.key_where();
   map.Read("name", &robot->name);
@@ -236,19 +235,20 @@ void ReadRobot(const YamlValue& value, RobotModel* robot) {
       "convention",
       {{"standard", DhConvention::kStandard}, {"modified", DhConvention::kModified}},
       &robot->convention);
+  if (const std::optional<YamlValue> file = map.Find("urdf")) {
+    const DhConvention convention = robot->convention;
+    const FixedEnds ends = ReadUrdfRows(&map, *file, resolve_path, robot, urdf);
+    ReadSurroundings(&map, robot);
+    FoldIntoEnds(ends.before, ends.behind, robot);
+    *robot = InConvention(*robot, convention);
+    return;
+  }
   const FixedEnds ends = ReadJoints(&map, ReadUnits(&map), robot);
-  if (const std::optional<YamlValue> base = map.Find("base")) {
-    ReadFrame(*base, &robot->X_WB, &robot->base_per_run, &robot->base_of_run);
-  }
-  ReadTargets(&map, robot);
-  Eigen::VectorXd gravity = robot->gravity_B;
-  map.Read("gravity_m_s2", {{"", 1.0}}, 3, &gravity);
-  robot->gravity_B = gravity;
+  const bool near = ReadUrCalibrationOf(&map, resolve_path, robot);
+  ReadSurroundings(&map, robot);
   ReadLinks(&map, robot);
-  if (const std::optional<YamlValue> payload = map.Find("payload")) {
-    robot->payload = ReadMass(*payload);
-  }
-  FoldEnds(ends, robot);
+  if (ends.any) FoldIntoEnds(ends.before, ends.behind, robot);
+  if (near) *robot = WithNearNormals(*robot);
 }
 
 }  // namespace dhcal

@@ -2,16 +2,11 @@
 #ifndef DHCAL_PROBLEMS_FORMATS_PROBLEM_SIMULATION_READER_H_
 #define DHCAL_PROBLEMS_FORMATS_PROBLEM_SIMULATION_READER_H_
 
-#include <functional>
-#include <string>
-
 #include "core/io/yaml_value.h"
 #include "core/model/problem_spec.h"
+#include "problems/formats/problem/path_resolver.h"
 
 namespace dhcal {
-
-/// Turns a path as the file writes it into one that can be opened.
-using PathResolver = std::function<std::string(const YamlValue&)>;
 
 /// `robot` gives the number and types of the joints, `kind` what the noise may hold.
 void ReadSimulation(const YamlValue& value,

@@ -27,11 +27,12 @@ constexpr char kRecordingCsv[] = "recording.csv";
 constexpr char kCalibrated[] = "calibrated.yaml";
 constexpr char kRigid[] = "calibrated_rigid.yaml";
 constexpr char kPython[] = "calibrated.py";
+constexpr char kUrdf[] = "calibrated.urdf";
 
 const std::vector<std::string>& OwnNames() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all = {
-        kResultJson, kCalibrated, kRigid, kPython, "residuals.csv", kRecordingCsv};
+        kResultJson, kCalibrated, kRigid, kPython, kUrdf, "residuals.csv", kRecordingCsv};
     for (const ReportFormat& format : ReportFormats()) all.emplace_back(format.file);
     return all;
   }();
@@ -141,7 +142,8 @@ void AddCalibrated(const ProblemSpec& spec,
 std::vector<NamedContent> Compose(const ProblemSpec& spec,
                                   const Recording& recording,
                                   const Result& result,
-                                  const fs::path& folder) {
+                                  const fs::path& folder,
+                                  Diagnostics* diagnostics) {
   std::vector<NamedContent> files = {{kResultJson, ResultToJson(result)}};
   const Document report = ReportOf(spec, recording, result);
   for (const ReportFormat& format : ReportFormats()) {
@@ -162,6 +164,8 @@ std::vector<NamedContent> Compose(const ProblemSpec& spec,
   if (result.best() != nullptr) {
     const std::string path = RecordingPath(spec, own_recording || keep_recording, folder);
     AddCalibrated(spec, recording, result, path, &files);
+    const std::string urdf = CalibratedUrdf(spec, result, diagnostics);
+    if (!urdf.empty()) files.push_back({kUrdf, urdf});
   }
   return files;
 }
@@ -194,7 +198,7 @@ bool WriteResult(const ProblemSpec& spec,
   if (diagnostics->num_errors() > errors_before) return false;
   try {
     const fs::path folder = Resolve(directory);
-    const std::vector<NamedContent> files = Compose(spec, recording, result, folder);
+    const std::vector<NamedContent> files = Compose(spec, recording, result, folder, diagnostics);
     return ReplaceFolder(folder, files, OwnNames(), SwapMethod::kExchange, diagnostics);
   } catch (const std::runtime_error& error) {
     diagnostics->Error({spec.file}, fmt::format("the result cannot be written: {}", error.what()));

@@ -42,6 +42,11 @@ std::string CalibratedPython(const std::string& problem,
                              const RobotModel& calibrated,
                              const std::vector<EffectRequest>& effects);
 
+/// The problem's URDF with the origins of its joints corrected: the robot without effects where
+/// some were found, which a comment names, for a URDF cannot hold them. "" where the rows do not
+/// come from a URDF, or, with a warning, where the calibrated ones are too far from it.
+std::string CalibratedUrdf(const ProblemSpec& spec, const Result& result, Diagnostics* diagnostics);
+
 /// Checks, before anything is computed, that `directory` can be written: it is absent, empty, or
 /// holds only files of an earlier result. Otherwise adds an error.
 void CheckResultDirectory(const std::string& directory, Diagnostics* diagnostics);

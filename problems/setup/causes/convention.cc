@@ -8,9 +8,10 @@ class ConventionKind : public CauseKind {
  public:
   std::string name() const override { return "convention"; }
   bool spoils_all() const override { return true; }
-  void Neighbours(const Files& /*files*/,
+  void Neighbours(const Files& files,
                   const SetUp& from,
                   std::vector<SetUp>* set_ups) const override {
+    if (files.spec.urdf) return;  // nobody declared it
     set_ups->push_back(from);
     set_ups->back().other_convention = !from.other_convention;
   }

@@ -63,6 +63,7 @@ class JointSenseKind : public CauseKind {
         "{} {} the other way", JointList(files, joints), joints.size() == 1 ? "counts" : "count");
     cause.where = first.where;
     cause.text = first.sign > 0 ? "sign: -1" : "sign: 1";
+    if (files.spec.urdf) cause.text = "<axis> with the opposite numbers";
     if (joints.size() > 1) cause.text += fmt::format("   (lines {})", lines);
     causes->push_back(cause);
   }

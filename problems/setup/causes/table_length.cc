@@ -16,6 +16,7 @@ class TableLengthKind : public CauseKind {
   void Neighbours(const Files& files,
                   const SetUp& from,
                   std::vector<SetUp>* set_ups) const override {
+    if (files.spec.urdf) return;  // which has one unit only
     const bool slides = std::any_of(
         files.robot().joints.begin(), files.robot().joints.end(), [](const JointRow& row) {
           return row.type == JointType::kPrismatic;

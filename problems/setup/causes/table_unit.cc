@@ -17,6 +17,7 @@ class TableUnitKind : public CauseKind {
   void Neighbours(const Files& files,
                   const SetUp& from,
                   std::vector<SetUp>* set_ups) const override {
+    if (files.spec.urdf) return;  // which has one unit only
     double most = 0;
     for (const JointRow& row : files.robot().joints) {
       most = std::max({most, std::abs(row.alpha), std::abs(row.theta)});

@@ -73,6 +73,10 @@ class ZeroOffsetKind : public CauseKind {
           "theta_deg: {:g}",
           InTenths(std::remainder(FactorOf(set_up.table_unit) * row.theta / kDegree + off, 360),
                    joint));
+      if (files.spec.urdf) {
+        cause.text = fmt::format("<origin> turned by {:+g} deg about the joint's axis",
+                                 InTenths(off, joint));
+      }
       causes->push_back(cause);
     }
   }
