@@ -12,6 +12,7 @@ dhcal_library(
           dhcal_tools_study
           dhcal_tools_transfer
           dhcal_tools_compensate
+          dhcal_tools_plan
           dhcal_tools_proof
           GTest::gmock
           GTest::gtest)
