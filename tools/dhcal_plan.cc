@@ -31,6 +31,10 @@ constexpr char kHelp[] =
   --data_dir DIR      what ${DHCAL_DATA} in a problem file stands for (default: the environment
                       variable)
 
+  --split             poses (default 10) that tell apart the alternatives of an ambiguous diagnosis
+                      of the recording, to be measured in addition; it is diagnosed first, or
+  --result FILE       that result.json says what the alternatives are
+
   Along straight edges: --edge_length_mm 500, --edge_poses 20 (along each), --tilt_deg 25 (of the
   tool, at random), --stand_off_mm 60 (of the tool point from the face), --slope_deg 20 (of the face
   against the horizontal of the base, at most).
@@ -50,6 +54,7 @@ bool Parse(int argc, char** argv, PlanCommand* command, std::string* wrong) {
                       std::pair("volume_m", &command->volume),
                       std::pair("seed", &command->seed),
                       std::pair("out", &command->out),
+                      std::pair("result", &command->result),
                       std::pair("edge_length_mm", &command->edge_length),
                       std::pair("edge_poses", &command->edge_poses),
                       std::pair("tilt_deg", &command->tilt),
@@ -68,6 +73,10 @@ bool Parse(int argc, char** argv, PlanCommand* command, std::string* wrong) {
       name = name.substr(0, equals);
     }
     std::replace(name.begin(), name.end(), '-', '_');
+    if (name == "split" && equals == std::string::npos) {
+      command->split = true;
+      continue;
+    }
     const auto text = std::find_if(
         texts.begin(), texts.end(), [&](const auto& entry) { return name == entry.first; });
     if (text == texts.end()) return false;

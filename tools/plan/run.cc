@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@
 #include "problems/formats/result/result_writer.h"
 #include "problems/identify.h"
 #include "problems/simulate.h"
+#include "tools/plan/split_run.h"
 #include "tools/plan/words.h"
 
 namespace dhcal {
@@ -124,6 +126,47 @@ std::optional<Recording> OwnRecording(const ProblemSpec& spec,
   return own;
 }
 
+/// A file of poses as a whole, and what is said of it.
+struct Written {
+  Recording rows;
+  Document report;
+};
+
+std::optional<Written> MakePlan(const ProblemSpec& spec,
+                                const std::optional<Recording>& own,
+                                const PlanOptions& options,
+                                const std::string& file,
+                                Diagnostics* diagnostics) {
+  std::optional<Plan> plan = PlanPoses(spec, own ? &*own : nullptr, options, diagnostics);
+  if (!plan) return std::nullopt;
+  const Document report = PlanReport(spec, *plan, file);
+  return Written{std::move(plan->rows), report};
+}
+
+std::optional<Written> MakeSplit(const ProblemSpec& spec,
+                                 const std::optional<Recording>& own,
+                                 const PlanCommand& command,
+                                 const PlanOptions& options,
+                                 Diagnostics* diagnostics) {
+  if (!own) {
+    diagnostics->Error({spec.file}, "alternatives are those of a recording; there is none");
+    return std::nullopt;
+  }
+  const std::optional<std::vector<Alternative>> alternatives =
+      command.result.empty() ? DiagnosedAlternatives(spec, *own)
+                             : ReadAlternatives(command.result, diagnostics);
+  if (!alternatives) return std::nullopt;
+  SplitOptions split;
+  if (options.count > 0) split.count = options.count;
+  if (options.candidates > 0) split.candidates = options.candidates;
+  split.seed = options.seed;
+  split.volume = options.volume;
+  std::optional<SplitPlan> plan = PlanSplit(spec, *own, *alternatives, split, diagnostics);
+  if (!plan) return std::nullopt;
+  const Document report = SplitReport(spec, *plan, command.out);
+  return Written{std::move(plan->rows), report};
+}
+
 }  // namespace
 
 int RunPlan(const PlanCommand& command, std::ostream& out, std::ostream& messages) {
@@ -142,12 +185,17 @@ int RunPlan(const PlanCommand& command, std::ostream& out, std::ostream& message
   if (!spec) return refuse();
   const std::optional<Recording> own = OwnRecording(*spec, messages, &diagnostics);
   if (!diagnostics.ok()) return refuse();
-  const std::optional<Plan> plan = PlanPoses(*spec, own ? &*own : nullptr, options, &diagnostics);
+  PlanCommand named = command;
+  if (named.out.empty()) named.out = spec->name + "_plan.csv";
+  const bool split = command.split || !command.result.empty();
+  const std::optional<Written> plan = split
+                                          ? MakeSplit(*spec, own, named, options, &diagnostics)
+                                          : MakePlan(*spec, own, options, named.out, &diagnostics);
   if (!plan) return refuse();
-  const std::string file = command.out.empty() ? spec->name + "_plan.csv" : command.out;
-  if (!WriteWholeFile(file, RecordingToCsv(plan->rows, spec->robot), &diagnostics)) return refuse();
+  const std::string csv = RecordingToCsv(plan->rows, spec->robot);
+  if (!WriteWholeFile(named.out, csv, &diagnostics)) return refuse();
   messages << diagnostics.ToString();
-  out << ToText(PlanReport(*spec, *plan, file));
+  out << ToText(plan->report);
   return kPlanOk;
 }
 

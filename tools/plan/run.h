@@ -18,6 +18,8 @@ struct PlanCommand {
   std::string problem, out, data_dir;
   std::string poses, candidates, criterion, seed;
   std::string volume;  // "0.8,-0.5,0.2,1.5,0.5,1.2"
+  bool split = false;
+  std::string result;  // result.json whose alternatives are to be split
   std::string edge_length, edge_poses, tilt, slope, stand_off;
 };
 

@@ -1,0 +1,131 @@
+// How many ambiguous verdicts are named after ten splitting poses (problems/guides/planning.md).
+// Prints each. Recordings are made with this program's own kinematics and effects: this measures
+// the choice of poses, not the physics.
+#include <cstdint>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "core/base/rng.h"
+#include "core/base/units.h"
+#include "core/physics/effect.h"
+#include "problems/diagnosis/calibrate.h"
+#include "problems/plan/split.h"
+#include "problems/simulate.h"
+#include "tools/study/scenarios.h"
+
+namespace dhcal {
+namespace {
+
+constexpr int kCases = 20;
+constexpr int kMostDraws = 400;
+constexpr double kSigma = 30e-6;
+
+std::vector<EffectRequest> Truths() {
+  return {Request("joint_compliance", 2, {{"compliance", 3e-6}}),
+          Request("joint_compliance", 3, {{"compliance", 6e-6}}),
+          Request("gear_harmonic", 1, {{"sin_1", 2e-4}}, {{"order", 1}}),
+          Request("gear_harmonic", 3, {{"sin_2", 2e-4}}, {{"order", 2}}),
+          Request("joint_gain", 4, {{"gain", 4e-4}}),
+          Request("joint_coupling", 5, {{"coupling", 4e-4}}, {{"driver_joint", 4}}),
+          Request("link_bending", 2, {{"flexibility", 2e-6}}),
+          Request("base_compliance", 0, {{"compliance_x", 6e-7}, {"compliance_y", 6e-7}})};
+}
+
+/// The problem with errors of its own, and poses of a narrow range.
+ProblemSpec ProblemOf(std::uint64_t seed, Recording* rows) {
+  Scenario scenario;
+  scenario.narrow = true;
+  scenario.poses = 40;
+  scenario.sigma = kSigma;
+  const Draw draw = MakeDraw(scenario, seed);
+  ProblemSpec spec = draw.spec;
+  spec.simulate.emplace();
+  Rng rng(seed);
+  for (const JointNumber& number : kJointNumbers) {
+    Eigen::VectorXd errors(6);
+    for (double& error : errors) error = 0.5 * number.tolerance * rng.Normal();
+    if (number.slot != JointSlot::kBeta) spec.simulate->row_errors(number.slot) = errors;
+  }
+  spec.simulate->noise = kSigma;
+  spec.simulate->effects = {Truths()[seed % Truths().size()]};
+  rows->q = draw.recording.q;
+  return spec;
+}
+
+std::optional<DiagnosisResult> Diagnosed(const ProblemSpec& spec, const Recording& readings) {
+  ProblemSpec as_user = spec;
+  as_user.diagnosis.run = DiagnosisRun::kAlways;
+  return Calibrate(as_user, readings, {}).diagnosis;
+}
+
+Recording ReadWithNoise(const ProblemSpec& spec, const Recording& rows, std::uint64_t seed) {
+  Rng rng(seed);
+  Diagnostics diagnostics;
+  return SimulateAt(spec, rows, &rng, &diagnostics).value_or(Recording());
+}
+
+bool IsNamed(const DiagnosisResult& d, const EffectRequest& truth) {
+  return d.verdict == DiagnosisVerdict::kExplained && d.findings.size() == 1 &&
+         d.findings[0].effect.effect == truth.effect && d.findings[0].effect.joint == truth.joint;
+}
+
+/// Own rows, then the others.
+Recording Both(const Recording& own, const Recording& others) {
+  Recording both;
+  both.q.resize(own.q.rows() + others.q.rows(), own.q.cols());
+  both.q << own.q, others.q;
+  return both;
+}
+
+TEST(SlowSplitFigures, AmbiguousVerdictsAreNamedAfterTenPoses) {
+  int cases = 0, named = 0, named_by_random = 0;
+  for (std::uint64_t seed = 1; seed <= kMostDraws && cases < kCases; ++seed) {
+    Recording rows;
+    const ProblemSpec spec = ProblemOf(seed, &rows);
+    const Recording own = ReadWithNoise(spec, rows, seed);
+    const std::optional<DiagnosisResult> d = Diagnosed(spec, own);
+    if (!d || d->verdict != DiagnosisVerdict::kAmbiguous) continue;
+    Diagnostics diagnostics;
+    const auto plan =
+        PlanSplit(spec, own, AlternativesOf(d->hypotheses), SplitOptions(), &diagnostics);
+    const EffectRequest& truth = spec.simulate->effects[0];
+    ++cases;
+    if (!plan) {
+      std::cout << fmt::format(
+          "seed {}: {}: {}\n", seed, InstanceName(truth), diagnostics.ToString());
+      continue;
+    }
+    SplitOptions random;
+    random.count = random.candidates = 10;
+    random.seed = seed;
+    const auto others = PlanSplit(spec, own, AlternativesOf(d->hypotheses), random, &diagnostics);
+    const auto after = Diagnosed(spec, ReadWithNoise(spec, Both(own, plan->rows), 1000 + seed));
+    const auto by_random =
+        Diagnosed(spec, ReadWithNoise(spec, Both(own, others->rows), 1000 + seed));
+    const bool is_named = after && IsNamed(*after, truth);
+    named += is_named ? 1 : 0;
+    named_by_random += by_random && IsNamed(*by_random, truth) ? 1 : 0;
+    std::cout << fmt::format("seed {}: {} of {} alternatives: {}\n",
+                             seed,
+                             InstanceName(truth),
+                             plan->alternatives.size(),
+                             is_named ? "named"
+                             : after  ? after->summary
+                                      : "no answer");
+  }
+  std::cout << fmt::format(
+      "named after 10 splitting poses: {} of {}; after 10 random poses of the whole range: {}\n",
+      named,
+      cases,
+      named_by_random);
+  EXPECT_EQ(cases, kCases);
+  EXPECT_GE(named, 18);
+}
+
+}  // namespace
+}  // namespace dhcal
