@@ -21,7 +21,7 @@ constexpr char kHelp[] =
                       noise, parameters; its task is where accuracy matters (default: everywhere).
                       A recording that is there already is judged beside the plan
   --poses N           poses to choose (default 100); along straight edges placements (default 12)
-  --candidates M      random candidates to choose from (default 1000; placements 200)
+  --candidates M      random candidates to choose from (default 1000; placements 600)
   --criterion C       D (default): the smallest uncertainty of the parameters; I: the smallest
                       error in the region of the task
   --volume_m BOX      x,y,z,x,y,z: two corners of the space that the instrument sees, in the

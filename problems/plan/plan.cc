@@ -19,7 +19,7 @@ namespace dhcal {
 namespace {
 
 constexpr int kPoses = 100, kPlacements = 12;
-constexpr int kPoseCandidates = 1000, kPlacementCandidates = 200;
+constexpr int kPoseCandidates = 1000, kPlacementCandidates = 600;
 constexpr int kRandomDraws = 25;
 // Counts of the table, in parts of the count asked for.
 constexpr double kLadder[] = {0.1, 0.15, 0.25, 0.35, 0.5, 0.7, 1, 1.5, 2};

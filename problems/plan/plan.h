@@ -18,7 +18,7 @@ namespace dhcal {
 
 struct PlanOptions {
   int count = 0;       // poses, or placements of an edge; 0 = 100, or 12
-  int candidates = 0;  // 0 = 1000, or 200 placements
+  int candidates = 0;  // 0 = 1000, or 600 placements
   DesignCriterion criterion = DesignCriterion::kD;
   std::uint64_t seed = 1;
   std::optional<TaskBox> volume;  // where the instrument sees the point, axes of the base

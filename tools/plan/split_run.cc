@@ -49,7 +49,7 @@ Table PairTable(const SplitPlan& plan) {
   constexpr auto kRight = Table::Align::kRight;
   Table table;
   table.title = "How far apart, in standard deviations of the readings' noise";
-  table.columns = {{"alternatives", "", 60, Table::Align::kLeft},
+  table.columns = {{"alternatives", "", 80, Table::Align::kLeft},
                    {"now", "", 8, kRight},
                    {"with the poses", "", 14, kRight}};
   for (const SplitPair& pair : plan.pairs) {

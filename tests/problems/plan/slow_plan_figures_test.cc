@@ -124,7 +124,18 @@ TEST(SlowPlanFigures, HundredFreePosesOfTheKr15) {
   EXPECT_GT(QuantileOf(paper, 0.5), 10 * QuantileOf(planned, 0.5));
 }
 
-/// RMS [m] in a region, moved as a whole to fit best, of a calibration with a head over edges.
+/// What a shift of the head along its sights does, [m] per metre: no reading over an edge shows it
+/// (residuals/kinds/straight_edge.md).
+Eigen::VectorXd ShiftAlongSights(const RobotModel& robot, const Eigen::MatrixXd& q) {
+  RobotModel shifted = robot;
+  shifted.X_TQ.translation() += shifted.X_TQ.linear().col(2);
+  const Eigen::Matrix3Xd points = PointsOf(robot, q);
+  const Eigen::Matrix3Xd moves = PointsOf(shifted, q) - points;
+  return WithoutMotion(points, moves.reshaped());
+}
+
+/// RMS [m] in a region, moved as a whole to fit best and beside what no reading shows, of a
+/// calibration with a head over edges.
 double RealisedOverEdges(const ProblemSpec& spec,
                          const std::vector<Edge>& edges,
                          const Recording& rows,
@@ -142,7 +153,9 @@ double RealisedOverEdges(const ProblemSpec& spec,
   const TrueRobot arm{nominal, truth.delta, Eigen::Isometry3d::Identity()};
   const Eigen::Matrix3Xd true_points = TruePoints(arm, q_new);
   const Eigen::Matrix3Xd errors = PointsOf(in_base, q_new) - true_points;
-  return Rms(WithoutMotion(true_points, errors.reshaped()));
+  const Eigen::VectorXd aligned = WithoutMotion(true_points, errors.reshaped());
+  const Eigen::VectorXd hidden = ShiftAlongSights(nominal, q_new);
+  return Rms(aligned - hidden * (hidden.dot(aligned) / hidden.squaredNorm()));
 }
 
 TEST(SlowPlanFigures, TwelvePlacementsOfTwentyPoses) {
@@ -156,6 +169,7 @@ TEST(SlowPlanFigures, TwelvePlacementsOfTwentyPoses) {
   spec.task.emplace();
   spec.task->box = TaskBox{{0.8, -0.4, 0.3}, {1.3, 0.4, 1.1}};
   PlanOptions options;
+  options.criterion = DesignCriterion::kI;
   options.volume = TaskBox{{0.3, -1.1, 0.0}, {1.6, 1.1, 1.4}};
   Diagnostics diagnostics;
   const auto plan = PlanPoses(spec, nullptr, options, &diagnostics);
@@ -178,7 +192,7 @@ TEST(SlowPlanFigures, TwelvePlacementsOfTwentyPoses) {
   std::cout << fmt::format("realised: planned median {:.1f} um, random median {:.1f} um\n",
                            QuantileOf(planned, 0.5) / kMicrometre,
                            QuantileOf(random, 0.5) / kMicrometre);
-  EXPECT_LT(QuantileOf(planned, 0.5), QuantileOf(random, 0.5));
+  EXPECT_LT(2 * QuantileOf(planned, 0.5), QuantileOf(random, 0.5));
 }
 
 }  // namespace
