@@ -21,11 +21,11 @@
 namespace dhcal {
 namespace {
 
-constexpr int kCases = 20;
+constexpr int kAmbiguousCases = 20;
 constexpr int kMostDraws = 400;
-constexpr double kSigma = 30e-6;
+constexpr double kSplitSigma = 30e-6;
 
-std::vector<EffectRequest> Truths() {
+std::vector<EffectRequest> SplitTruths() {
   return {Request("joint_compliance", 2, {{"compliance", 3e-6}}),
           Request("joint_compliance", 3, {{"compliance", 6e-6}}),
           Request("gear_harmonic", 1, {{"sin_1", 2e-4}}, {{"order", 1}}),
@@ -37,11 +37,11 @@ std::vector<EffectRequest> Truths() {
 }
 
 /// The problem with errors of its own, and poses of a narrow range.
-ProblemSpec ProblemOf(std::uint64_t seed, Recording* rows) {
+ProblemSpec NarrowProblem(std::uint64_t seed, Recording* rows) {
   Scenario scenario;
   scenario.narrow = true;
   scenario.poses = 40;
-  scenario.sigma = kSigma;
+  scenario.sigma = kSplitSigma;
   const Draw draw = MakeDraw(scenario, seed);
   ProblemSpec spec = draw.spec;
   spec.simulate.emplace();
@@ -51,13 +51,13 @@ ProblemSpec ProblemOf(std::uint64_t seed, Recording* rows) {
     for (double& error : errors) error = 0.5 * number.tolerance * rng.Normal();
     if (number.slot != JointSlot::kBeta) spec.simulate->row_errors(number.slot) = errors;
   }
-  spec.simulate->noise = kSigma;
-  spec.simulate->effects = {Truths()[seed % Truths().size()]};
+  spec.simulate->noise = kSplitSigma;
+  spec.simulate->effects = {SplitTruths()[seed % SplitTruths().size()]};
   rows->q = draw.recording.q;
   return spec;
 }
 
-std::optional<DiagnosisResult> Diagnosed(const ProblemSpec& spec, const Recording& readings) {
+std::optional<DiagnosisResult> DiagnosisOf(const ProblemSpec& spec, const Recording& readings) {
   ProblemSpec as_user = spec;
   as_user.diagnosis.run = DiagnosisRun::kAlways;
   return Calibrate(as_user, readings, {}).diagnosis;
@@ -69,13 +69,13 @@ Recording ReadWithNoise(const ProblemSpec& spec, const Recording& rows, std::uin
   return SimulateAt(spec, rows, &rng, &diagnostics).value_or(Recording());
 }
 
-bool IsNamed(const DiagnosisResult& d, const EffectRequest& truth) {
+bool IsNamedRightly(const DiagnosisResult& d, const EffectRequest& truth) {
   return d.verdict == DiagnosisVerdict::kExplained && d.findings.size() == 1 &&
          d.findings[0].effect.effect == truth.effect && d.findings[0].effect.joint == truth.joint;
 }
 
 /// Own rows, then the others.
-Recording Both(const Recording& own, const Recording& others) {
+Recording WithMoreRows(const Recording& own, const Recording& others) {
   Recording both;
   both.q.resize(own.q.rows() + others.q.rows(), own.q.cols());
   both.q << own.q, others.q;
@@ -84,11 +84,11 @@ Recording Both(const Recording& own, const Recording& others) {
 
 TEST(SlowSplitFigures, AmbiguousVerdictsAreNamedAfterTenPoses) {
   int cases = 0, named = 0, named_by_random = 0;
-  for (std::uint64_t seed = 1; seed <= kMostDraws && cases < kCases; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kMostDraws && cases < kAmbiguousCases; ++seed) {
     Recording rows;
-    const ProblemSpec spec = ProblemOf(seed, &rows);
+    const ProblemSpec spec = NarrowProblem(seed, &rows);
     const Recording own = ReadWithNoise(spec, rows, seed);
-    const std::optional<DiagnosisResult> d = Diagnosed(spec, own);
+    const std::optional<DiagnosisResult> d = DiagnosisOf(spec, own);
     if (!d || d->verdict != DiagnosisVerdict::kAmbiguous) continue;
     Diagnostics diagnostics;
     const auto plan =
@@ -104,12 +104,13 @@ TEST(SlowSplitFigures, AmbiguousVerdictsAreNamedAfterTenPoses) {
     random.count = random.candidates = 10;
     random.seed = seed;
     const auto others = PlanSplit(spec, own, AlternativesOf(d->hypotheses), random, &diagnostics);
-    const auto after = Diagnosed(spec, ReadWithNoise(spec, Both(own, plan->rows), 1000 + seed));
+    const auto after =
+        DiagnosisOf(spec, ReadWithNoise(spec, WithMoreRows(own, plan->rows), 1000 + seed));
     const auto by_random =
-        Diagnosed(spec, ReadWithNoise(spec, Both(own, others->rows), 1000 + seed));
-    const bool is_named = after && IsNamed(*after, truth);
+        DiagnosisOf(spec, ReadWithNoise(spec, WithMoreRows(own, others->rows), 1000 + seed));
+    const bool is_named = after && IsNamedRightly(*after, truth);
     named += is_named ? 1 : 0;
-    named_by_random += by_random && IsNamed(*by_random, truth) ? 1 : 0;
+    named_by_random += by_random && IsNamedRightly(*by_random, truth) ? 1 : 0;
     std::cout << fmt::format("seed {}: {} of {} alternatives: {}\n",
                              seed,
                              InstanceName(truth),
@@ -123,7 +124,7 @@ TEST(SlowSplitFigures, AmbiguousVerdictsAreNamedAfterTenPoses) {
       named,
       cases,
       named_by_random);
-  EXPECT_EQ(cases, kCases);
+  EXPECT_EQ(cases, kAmbiguousCases);
   EXPECT_GE(named, 18);
 }
 

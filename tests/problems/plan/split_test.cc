@@ -37,7 +37,7 @@ Recording NarrowRows(int count) {
   return rows;
 }
 
-Recording ReadAt(const ProblemSpec& spec, const Recording& rows) {
+Recording ReadExactly(const ProblemSpec& spec, const Recording& rows) {
   Rng rng(1);
   Diagnostics diagnostics;
   const auto read = SimulateAt(spec, rows, &rng, &diagnostics);
@@ -56,7 +56,7 @@ double LeftByFit(ProblemSpec spec, const Recording& readings, const Alternative&
   return result.best() == nullptr ? -1 : std::sqrt(2 * result.best()->cost);
 }
 
-double Distance(const SplitPlan& plan, bool after) {
+double DistanceIn(const SplitPlan& plan, bool after) {
   for (const SplitPair& pair : plan.pairs) {
     if (pair.truth == "joint_compliance at joint 2") return after ? pair.after : pair.before;
   }
@@ -65,7 +65,7 @@ double Distance(const SplitPlan& plan, bool after) {
 
 TEST(PlanSplit, TheDistanceIsWhatAFitOfTheOtherLeaves) {
   const ProblemSpec spec = Compliant();
-  const Recording own = ReadAt(spec, NarrowRows(40));
+  const Recording own = ReadExactly(spec, NarrowRows(40));
   Diagnostics diagnostics;
   SplitOptions options;
   options.candidates = 60;
@@ -76,15 +76,15 @@ TEST(PlanSplit, TheDistanceIsWhatAFitOfTheOtherLeaves) {
   both.q.resize(50, 6);
   both.q << own.q, plan->rows.q;
   const double before = LeftByFit(spec, own, TwoNames()[1]);
-  const double after = LeftByFit(spec, ReadAt(spec, both), TwoNames()[1]);
-  EXPECT_NEAR(Distance(*plan, /*after=*/false), before, 0.1 * before + 0.2);
-  EXPECT_NEAR(Distance(*plan, /*after=*/true), after, 0.1 * after);
+  const double after = LeftByFit(spec, ReadExactly(spec, both), TwoNames()[1]);
+  EXPECT_NEAR(DistanceIn(*plan, /*after=*/false), before, 0.1 * before + 0.2);
+  EXPECT_NEAR(DistanceIn(*plan, /*after=*/true), after, 0.1 * after);
   EXPECT_GT(after, 4 * before);
 }
 
 TEST(PlanSplit, ChoosesPosesThatSplitBetterThanOthers) {
   const ProblemSpec spec = Compliant();
-  const Recording own = ReadAt(spec, NarrowRows(40));
+  const Recording own = ReadExactly(spec, NarrowRows(40));
   Diagnostics diagnostics;
   SplitOptions chosen, all;
   chosen.candidates = 60;
@@ -92,12 +92,12 @@ TEST(PlanSplit, ChoosesPosesThatSplitBetterThanOthers) {
   const auto good = PlanSplit(spec, own, TwoNames(), chosen, &diagnostics);
   const auto random = PlanSplit(spec, own, TwoNames(), all, &diagnostics);
   ASSERT_TRUE(good && random) << diagnostics.ToString();
-  EXPECT_GT(Distance(*good, true), 1.2 * Distance(*random, true));
+  EXPECT_GT(DistanceIn(*good, true), 1.2 * DistanceIn(*random, true));
 }
 
 TEST(PlanSplit, GivesApproachDirectionsWhereTheyDecide) {
   const ProblemSpec spec = Compliant();
-  const Recording own = ReadAt(spec, NarrowRows(40));
+  const Recording own = ReadExactly(spec, NarrowRows(40));
   const std::vector<Alternative> alternatives = {{Request("joint_compliance", 2)},
                                                  {Request("backlash", 2)}};
   SplitOptions options;
@@ -111,7 +111,7 @@ TEST(PlanSplit, GivesApproachDirectionsWhereTheyDecide) {
 
 TEST(PlanSplit, RefusesWhatPosesCannotSteer) {
   const ProblemSpec spec = Compliant();
-  const Recording own = ReadAt(spec, NarrowRows(40));
+  const Recording own = ReadExactly(spec, NarrowRows(40));
   Diagnostics diagnostics;
   const std::vector<Alternative> alternatives = {{Request("joint_compliance", 2)},
                                                  {Request("joint_drift", 2)}};

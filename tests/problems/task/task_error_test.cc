@@ -20,11 +20,11 @@
 namespace dhcal {
 namespace {
 
-constexpr double kSigma = 50e-6;
+constexpr double kTaskSigma = 50e-6;
 
 ProblemSpec SpecWithBox(const RobotModel& robot) {
   ProblemSpec spec = MakeSpec(robot, KindNamed("position"), NoiseKind::kIndependent);
-  spec.measurement.sigma = kSigma;
+  spec.measurement.sigma = kTaskSigma;
   spec.task.emplace();
   spec.task->box = TaskBox{{0.7, -0.4, 0.3}, {1.3, 0.4, 1.0}};
   return spec;
@@ -37,7 +37,8 @@ TEST(TaskError, IsTheErrorThatPredictionsHaveThere) {
   for (std::uint64_t draw = 1; draw <= kDraws; ++draw) {
     const TrueRobot truth = MakeTrueRobot(Kr15(), draw);
     const ProblemSpec spec = SpecWithBox(truth.nominal);
-    const Result result = IdentifyGeometry(spec, Record(truth, spec, {60, kSigma, 0, draw}), {});
+    const Result result =
+        IdentifyGeometry(spec, Record(truth, spec, {60, kTaskSigma, 0, draw}), {});
     ASSERT_TRUE(result.task.has_value());
     const TaskError& task = *result.task;
     ASSERT_EQ(task.unknown, "");
@@ -78,7 +79,7 @@ TEST(TaskError, CountsWhatNoReadingShowsAsHiddenRisk) {
   // Only the wrist moves: what the first joints' rows hold is not seen, and moves the box.
   const TrueRobot truth = MakeTrueRobot(Kr15(), 5);
   const ProblemSpec spec = SpecWithBox(truth.nominal);
-  Recording wide = Record(truth, spec, {60, kSigma, 0, 5});
+  Recording wide = Record(truth, spec, {60, kTaskSigma, 0, 5});
   Recording narrow = wide;
   for (int row = 0; row < narrow.num_rows(); ++row) {
     narrow.q.row(row).head(3) = wide.q.row(0).head(3);
