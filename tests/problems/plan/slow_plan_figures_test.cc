@@ -35,7 +35,7 @@ double QuantileOfDraws(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-Eigen::MatrixXd RandomPoses(const RobotModel& robot, int count, std::uint64_t seed) {
+Eigen::MatrixXd WidePoses(const RobotModel& robot, int count, std::uint64_t seed) {
   Rng rng(seed);
   const JointRange range(robot);
   Eigen::MatrixXd q(count, robot.num_joints());
@@ -44,7 +44,7 @@ Eigen::MatrixXd RandomPoses(const RobotModel& robot, int count, std::uint64_t se
 }
 
 /// Points of the true robot.
-Eigen::Matrix3Xd TruePoints(const TrueRobot& truth, const Eigen::MatrixXd& q) {
+Eigen::Matrix3Xd PointsOfTruth(const TrueRobot& truth, const Eigen::MatrixXd& q) {
   Eigen::Matrix3Xd points(3, q.rows());
   for (Eigen::Index row = 0; row < q.rows(); ++row) {
     points.col(row) = truth.Pose(q.row(row).transpose()).block<3, 1>(0, 3);
@@ -74,14 +74,14 @@ double RealisedError(const ProblemSpec& spec,
   Rng rng(seed);
   Recording rows;
   rows.q = q;
-  rows.p_WQ = TruePoints(truth, q).transpose();
+  rows.p_WQ = PointsOfTruth(truth, q).transpose();
   for (double& coordinate : rows.p_WQ.reshaped()) {
     coordinate += *spec.measurement.sigma * rng.Normal();
   }
   const Result result = IdentifyGeometry(spec, rows, {});
   if (result.best() == nullptr) return HUGE_VAL;
   if (expected != nullptr) *expected = result.task->after.rms;
-  const Eigen::Matrix3Xd errors = PointsOf(result.calibrated, q_new) - TruePoints(truth, q_new);
+  const Eigen::Matrix3Xd errors = PointsOf(result.calibrated, q_new) - PointsOfTruth(truth, q_new);
   return RmsOfPoints(errors.reshaped());
 }
 
@@ -102,7 +102,7 @@ TEST(SlowPlanFigures, HundredFreePosesOfTheKr15) {
   Diagnostics diagnostics;
   const auto plan = PlanPoses(spec, nullptr, {}, &diagnostics);
   ASSERT_TRUE(plan.has_value()) << diagnostics.ToString();
-  const Eigen::MatrixXd q_new = RandomPoses(spec.robot, kTruthPoses, 999);
+  const Eigen::MatrixXd q_new = WidePoses(spec.robot, kTruthPoses, 999);
   spec.task.emplace();
   spec.task->q = q_new;
   constexpr int kDraws = 40;
@@ -111,7 +111,7 @@ TEST(SlowPlanFigures, HundredFreePosesOfTheKr15) {
   for (std::uint64_t draw = 1; draw <= kDraws; ++draw) {
     double expected = 0, expected_of_random = 0;
     planned.push_back(RealisedError(spec, truth, plan->rows.q, q_new, draw, &expected));
-    const Eigen::MatrixXd wide = RandomPoses(spec.robot, 100, 5000 + draw);
+    const Eigen::MatrixXd wide = WidePoses(spec.robot, 100, 5000 + draw);
     random.push_back(RealisedError(spec, truth, wide, q_new, 100 + draw, &expected_of_random));
     expected_better += expected < expected_of_random ? 1 : 0;
     paper.push_back(RealisedError(spec, truth, own.q, q_new, 200 + draw));
@@ -164,7 +164,7 @@ double RealisedOverEdges(const ProblemSpec& spec,
   RobotModel in_base = result.calibrated, nominal = spec.robot;
   in_base.X_WB = nominal.X_WB = Eigen::Isometry3d::Identity();
   const TrueRobot arm{nominal, truth.delta, Eigen::Isometry3d::Identity()};
-  const Eigen::Matrix3Xd true_points = TruePoints(arm, q_new);
+  const Eigen::Matrix3Xd true_points = PointsOfTruth(arm, q_new);
   const Eigen::Matrix3Xd errors = PointsOf(in_base, q_new) - true_points;
   const Eigen::VectorXd aligned = WithoutMotion(true_points, errors.reshaped());
   const Eigen::VectorXd hidden = ShiftAlongSights(nominal, q_new);

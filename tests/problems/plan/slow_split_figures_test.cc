@@ -57,7 +57,7 @@ ProblemSpec NarrowProblem(std::uint64_t seed, Recording* rows) {
   return spec;
 }
 
-std::optional<DiagnosisResult> DiagnosisOf(const ProblemSpec& spec, const Recording& readings) {
+std::optional<DiagnosisResult> VerdictOn(const ProblemSpec& spec, const Recording& readings) {
   ProblemSpec as_user = spec;
   as_user.diagnosis.run = DiagnosisRun::kAlways;
   return Calibrate(as_user, readings, {}).diagnosis;
@@ -88,7 +88,7 @@ TEST(SlowSplitFigures, AmbiguousVerdictsAreNamedAfterTenPoses) {
     Recording rows;
     const ProblemSpec spec = NarrowProblem(seed, &rows);
     const Recording own = ReadWithNoise(spec, rows, seed);
-    const std::optional<DiagnosisResult> d = DiagnosisOf(spec, own);
+    const std::optional<DiagnosisResult> d = VerdictOn(spec, own);
     if (!d || d->verdict != DiagnosisVerdict::kAmbiguous) continue;
     Diagnostics diagnostics;
     const auto plan =
@@ -105,9 +105,9 @@ TEST(SlowSplitFigures, AmbiguousVerdictsAreNamedAfterTenPoses) {
     random.seed = seed;
     const auto others = PlanSplit(spec, own, AlternativesOf(d->hypotheses), random, &diagnostics);
     const auto after =
-        DiagnosisOf(spec, ReadWithNoise(spec, WithMoreRows(own, plan->rows), 1000 + seed));
+        VerdictOn(spec, ReadWithNoise(spec, WithMoreRows(own, plan->rows), 1000 + seed));
     const auto by_random =
-        DiagnosisOf(spec, ReadWithNoise(spec, WithMoreRows(own, others->rows), 1000 + seed));
+        VerdictOn(spec, ReadWithNoise(spec, WithMoreRows(own, others->rows), 1000 + seed));
     const bool is_named = after && IsNamedRightly(*after, truth);
     named += is_named ? 1 : 0;
     named_by_random += by_random && IsNamedRightly(*by_random, truth) ? 1 : 0;
