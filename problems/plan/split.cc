@@ -24,6 +24,8 @@ namespace {
 
 // Pairs of the likeliest are enough: each more costs its square.
 constexpr std::size_t kMostAlternatives = 6;
+// An effect may be as large as it likes: this only keeps what no reading shows from being singular.
+constexpr double kNextToNothing = 1e-6;
 
 /// True where a pose can choose what decides the effect.
 bool CanBeSteered(const EffectRequest& effect, const Recording& own) {
@@ -108,6 +110,7 @@ ProblemSpec WithAll(const ProblemSpec& spec, const std::vector<Alternative>& alt
 struct Signature {
   Eigen::VectorXd values;      // as the recording shows them; 0 for columns of others
   std::vector<int> absorbing;  // geometry and own columns
+  std::vector<double> known;   // of each of them, what is known beforehand: 1 = its tolerance
 };
 
 /// Parameter values by a fit of the recording with this alternative; nothing where it has none.
@@ -135,7 +138,9 @@ std::optional<Signature> SignatureOf(const ProblemSpec& spec,
     if (found == c.parameters.end()) continue;
     signature.absorbing.push_back(static_cast<int>(k));
     const auto at = found - c.parameters.begin();
-    if (found->effect_column >= 0) {
+    const bool of_effect = found->effect_column >= 0;
+    signature.known.push_back(of_effect ? kNextToNothing : 1.0);
+    if (of_effect) {
       signature.values[static_cast<Eigen::Index>(k)] = fit.summary.state[at] / tolerance[at];
     }
   }
@@ -154,8 +159,8 @@ double SquaredDistance(const Eigen::MatrixXd& information, const Signature& a, c
     for (Eigen::Index j = 0; j < size; ++j) {
       absorbing(i, j) = information(row, b.absorbing[static_cast<std::size_t>(j)]);
     }
+    absorbing(i, i) += b.known[static_cast<std::size_t>(i)];
   }
-  absorbing.diagonal().array() += 1;
   return std::max(0.0, a.values.dot(whole) - seen.dot(absorbing.llt().solve(seen)));
 }
 

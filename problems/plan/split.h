@@ -3,9 +3,10 @@
 //   s_ab^2 = min over g, b of || x_a - J g - E_b b ||^2
 //
 // x_a is what alternative a, as large as the recording shows it, does to the whitened readings, J
-// the geometry, E_b the columns of b: how many standard deviations of the noise stay between the
-// two after everything else has absorbed what it can. T-optimal (Atkinson, Fedorov 1975): each pose
-// is the one that lowers the chance that any pair stays together most.
+// the geometry within its tolerances (rows of these are part of the squares), E_b the columns of b,
+// of any size: how many standard deviations stay between the two after everything else has absorbed
+// what it can. T-optimal (Atkinson, Fedorov 1975): each pose is the one that lowers the chance that
+// any pair stays together most.
 #ifndef DHCAL_PROBLEMS_PLAN_SPLIT_H_
 #define DHCAL_PROBLEMS_PLAN_SPLIT_H_
 
