@@ -1,5 +1,6 @@
 #include "tools/plan/run.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -114,6 +115,28 @@ TEST_F(PlanRun, RefusesWhatItDoesNotUnderstandAndWritesNothing) {
   command_ = good;
   command_.problem.clear();
   expect_refused("--problem is missing");
+}
+
+TEST_F(PlanRun, SplitsTheAlternativesOfAResult) {
+  command_.problem = DHCAL_SOURCE_DIR "/problems/cases/kr15_left_out.yaml";
+  command_.poses = "4";
+  command_.candidates = "30";
+  command_.result = folder_ / "result.json";
+  EXPECT_EQ(Run(), kPlanBadInput);
+  EXPECT_THAT(messages_.str(), HasSubstr("result.json: error: cannot be opened"));
+  WriteFile(command_.result, "{}");
+  EXPECT_EQ(Run(), kPlanBadInput);
+  EXPECT_THAT(messages_.str(), HasSubstr("has no diagnosis"));
+  EXPECT_FALSE(std::filesystem::exists(command_.out));
+  WriteFile(command_.result,
+            R"({"diagnosis": {"hypotheses": [
+              {"kept": true, "effects": [{"effect": "joint_compliance", "joint": 2}]},
+              {"kept": true, "effects": [{"effect": "gear_harmonic", "joint": 2, "order": 1}]}]}})");
+  ASSERT_EQ(Run(), kPlanOk) << messages_.str();
+  EXPECT_THAT(out_.str(),
+              AllOf(HasSubstr("gear_harmonic at joint 2 (order 1)"), HasSubstr("4 poses of")));
+  const std::string csv = ReadFile(command_.out);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
 }
 
 TEST_F(PlanRun, PlansBeforeThereIsARecording) {
