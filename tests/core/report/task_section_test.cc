@@ -51,11 +51,11 @@ TEST(TaskSection, SaysWhyThereAreNoFigures) {
 
 TEST(TaskSection, NamesWhatIsNotInItsFigures) {
   Result result = WithTask();
-  EXPECT_THAT(ToText(TaskSection(result)), Not(HasSubstr("whole was moved")));
+  EXPECT_THAT(ToText(TaskSection(result)), Not(HasSubstr("region as a whole")));
   result.task->aligned = true;
   result.task->left_out = {"joint_drift at joint 2"};
   EXPECT_THAT(ToText(TaskSection(result)),
-              AllOf(HasSubstr("joint_drift at joint 2"), HasSubstr("was moved to fit best")));
+              AllOf(HasSubstr("joint_drift at joint 2"), HasSubstr("the region as a whole was")));
 }
 
 TEST(TaskSection, IsEmptyWithoutATask) {
