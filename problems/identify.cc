@@ -14,6 +14,7 @@
 #include "problems/parameter_values.h"
 #include "problems/prediction.h"
 #include "problems/start.h"
+#include "problems/task/task_error.h"
 #include "problems/validation.h"
 
 namespace dhcal {
@@ -107,6 +108,10 @@ void DescribeFits(const Calibration& c, const std::vector<Fit>& fits, Result* re
   result->validation = Validate(c, *best_analysis, *best.problem);
   result->residuals = DescribeRows(c, *best_analysis, *best.problem);
   result->calibrated = CalibratedRobot(c, state);
+  if (c.spec.task) {
+    result->task = TaskPoses(c.spec);
+    FillTaskError(c, best_analysis->identifiability, state, &*result->task);
+  }
 }
 
 }  // namespace

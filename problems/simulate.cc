@@ -204,9 +204,16 @@ std::optional<Recording> SimulateRecording(const ProblemSpec& spec, Diagnostics*
   Rng rng(spec.simulate->seed);
   const std::optional<Recording> motion = Motion(spec, &rng, diagnostics);
   if (!motion) return std::nullopt;
+  return SimulateAt(spec, *motion, &rng, diagnostics);
+}
 
+std::optional<Recording> SimulateAt(const ProblemSpec& spec,
+                                    const Recording& motion,
+                                    Rng* rng,
+                                    Diagnostics* diagnostics) {
+  CHECK(spec.simulate.has_value());
   const RobotModel& robot = spec.robot;
-  Recording recording = OnEveryTarget(*motion, robot);
+  Recording recording = OnEveryTarget(motion, robot);
   recording.file = spec.file;
   if (robot.base_per_edge && !LabelEdges(spec, &recording, diagnostics)) return std::nullopt;
   Eigen::VectorXd errors = ErrorSlots(robot, *spec.simulate);
@@ -226,7 +233,7 @@ std::optional<Recording> SimulateRecording(const ProblemSpec& spec, Diagnostics*
   }
   const ReadingNoise noise{spec.simulate->noise, spec.simulate->noise_rotation};
   FindMeasurementType(spec.measurement.kind.name)
-      ->Simulate(spec.measurement, X_WQ, noise, &rng, &recording);
+      ->Simulate(spec.measurement, X_WQ, noise, rng, &recording);
   return recording;
 }
 

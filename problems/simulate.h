@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "core/base/diagnostics.h"
+#include "core/base/rng.h"
 #include "core/model/problem_spec.h"
 #include "core/model/recording.h"
 
@@ -19,6 +20,13 @@ Eigen::VectorXd ErrorSlots(const RobotModel& robot, const SimulationSpec& simula
 /// columns that the measurement kind reads. Each pose is measured on every target; distances take
 /// the anchors in turn. Nothing, with an error added, when a motion file cannot be read.
 std::optional<Recording> SimulateRecording(const ProblemSpec& spec, Diagnostics* diagnostics);
+
+/// The same at poses that are given: `motion` has joint coordinates and labels, and what effects
+/// need beside them.
+std::optional<Recording> SimulateAt(const ProblemSpec& spec,
+                                    const Recording& motion,
+                                    Rng* rng,
+                                    Diagnostics* diagnostics);
 
 }  // namespace dhcal
 

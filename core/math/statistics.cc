@@ -34,6 +34,10 @@ double ChiSquareTail(double x, double dof) {
   return boost::math::cdf(boost::math::complement(boost::math::chi_squared(dof), within));
 }
 
+double ChiSquareQuantile(double probability, double dof) {
+  return boost::math::quantile(boost::math::chi_squared(dof), probability);
+}
+
 double FTail(double x, double k, double nu) {
   if (std::isnan(x) || !(k > 0) || !(nu > 0)) return 1;
   if (std::isinf(nu)) return ChiSquareTail(k * x, k);

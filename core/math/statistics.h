@@ -14,6 +14,9 @@ double StudentTwoSided(double confidence, double dof);
 /// evidence, where x is no number or there is no freedom.
 double ChiSquareTail(double x, double dof);
 
+/// x with P(chi-square with `dof` degrees of freedom, a whole number or not, < x) = `probability`.
+double ChiSquareQuantile(double probability, double dof);
+
 /// P(F with `k` and `nu` degrees of freedom > x).
 double FTail(double x, double k, double nu);
 

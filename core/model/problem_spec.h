@@ -18,6 +18,7 @@
 #include "core/model/measurement_kind.h"
 #include "core/model/recording.h"
 #include "core/model/robot.h"
+#include "core/model/task.h"
 
 namespace dhcal {
 
@@ -143,6 +144,7 @@ struct ProblemSpec {
   ParameterSpec parameters;
   SolverSpec solver;
   DiagnosisSpec diagnosis;
+  std::optional<TaskSpec> task;
   std::optional<SimulationSpec> simulate;
 };
 

@@ -16,6 +16,7 @@
 #include "core/model/problem_spec.h"
 #include "core/model/recording.h"
 #include "core/model/setup.h"
+#include "core/model/task.h"
 
 namespace dhcal {
 
@@ -214,6 +215,7 @@ struct Result {
   RobotModel calibrated;  // the robot with the corrected values
   std::optional<DiagnosisResult> diagnosis;
   std::optional<DeliveredModel> delivered;
+  std::optional<TaskError> task;  // of the model that is delivered
   std::vector<RowSetAside> rows_set_aside;
   bool simulated = false;
   SetupResult setup;

@@ -192,6 +192,8 @@ Document FirstScreenOf(const Result& result, const std::string& folder) {
   } else {
     if (result.setup.cured) add(SetupSection(result));
     add({"", {Paragraph{{Headline(result)}, ""}, ErrorTable(result)}});
+    const std::string task = TaskSentence(result);
+    if (!task.empty()) add({"", {Paragraph{{task}, ""}}});
     add(FindingsSection(result));
   }
   add(EndSection(result, folder));

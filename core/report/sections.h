@@ -22,6 +22,12 @@ Section SetAsideSection(const Result& result);
 /// The answer: error of the prediction before and after, on fitted and on unseen rows.
 Section OutcomeSection(const Result& result);
 
+/// What the problem file's task may expect; empty where it names none.
+Section TaskSection(const Result& result);
+
+/// The same in one sentence; empty where there is nothing to say.
+std::string TaskSentence(const Result& result);
+
 /// Says that there are no parameters, and why not.
 Section NoOutcomeSection(const Result& result);
 

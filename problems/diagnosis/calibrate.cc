@@ -1,5 +1,6 @@
 #include "problems/diagnosis/calibrate.h"
 
+#include <algorithm>
 #include <exception>
 #include <optional>
 #include <string>
@@ -44,6 +45,20 @@ void Widen(double times, ParameterResult* p) {
   p->ci95_high = p->value + times * (p->ci95_high - p->value);
 }
 
+void Widen(double times, RegionError* error) {
+  error->low = std::max(0.0, error->rms + times * (error->low - error->rms));
+  error->high = error->rms + times * (error->high - error->rms);
+}
+
+/// What the parameters' sigmas make of a region.
+void Widen(double times, TaskError* task) {
+  Widen(times, &task->before);
+  for (double* const error :
+       {&task->after.rms, &task->after.low, &task->after.high, &task->after_largest}) {
+    *error *= times;
+  }
+}
+
 /// Remarks on the rows, and the sigmas that these allow.
 void Finish(const ProblemSpec& spec, const Recording& recording, Result* result) {
   const Widening widening = WideningOf(recording, *result);
@@ -56,6 +71,7 @@ void Finish(const ProblemSpec& spec, const Recording& recording, Result* result)
   if (result->delivered) {
     for (ParameterResult& p : result->delivered->fit.parameters) Widen(widening.all(), &p);
   }
+  if (result->task) Widen(widening.all(), &*result->task);
 }
 
 /// What is worth keeping if the diagnosis does not come to its end.

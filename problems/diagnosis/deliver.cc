@@ -16,6 +16,7 @@
 #include "problems/noise.h"
 #include "problems/parameter_values.h"
 #include "problems/start.h"
+#include "problems/task/task_error.h"
 #include "problems/validation.h"
 
 namespace dhcal {
@@ -205,6 +206,9 @@ void Deliver(const ProblemSpec& user,
         d.rms_train_after / kMillimetre));
   }
   AddPredictions(own, *analysis, result);
+  if (result->task) {
+    FillTaskError(own.calibration, analysis->identifiability, state, &*result->task);
+  }
   model.joint_errors = JointErrorsOf(own.calibration, state, result->residuals);
   result->delivered = std::move(model);
 }

@@ -19,7 +19,7 @@ set(headers
 target_precompile_headers(dhcal_core PRIVATE ${headers})
 foreach(target IN ITEMS dhcal_residuals dhcal_problems dhcal_tools_support dhcal_tools_study
                       dhcal_tools_transfer dhcal_tools_compensate dhcal_tools_compare
-                      dhcal_tools_convert
+                      dhcal_tools_convert dhcal_tools_plan
                       dhcal_tools_proof)
   if(TARGET ${target}) # the proof's, only with OpenSSL
     target_precompile_headers(${target} REUSE_FROM dhcal_core)

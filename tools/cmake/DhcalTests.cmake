@@ -14,6 +14,7 @@ dhcal_library(
           dhcal_tools_compensate
           dhcal_tools_compare
           dhcal_tools_convert
+          dhcal_tools_plan
           dhcal_tools_proof
           GTest::gmock
           GTest::gtest)

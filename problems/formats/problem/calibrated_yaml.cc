@@ -170,6 +170,8 @@ std::string CalibratedYaml(const ProblemSpec& spec,
       root["robot"] = RobotNode(calibrated, masses_changed, entry.second);
     } else if (key == "measurement") {
       root["measurement"] = MeasurementNode(calibrated, entry.second);
+    } else if (key == "task" && spec.task && !spec.task->file.empty()) {
+      root["task"]["poses"] = spec.task->file;
     } else if (key == "parameters") {
       root["parameters"] = ParametersNode(effects, entry.second);
     } else {

@@ -21,6 +21,7 @@
 #include "problems/formats/problem/robot_reader.h"
 #include "problems/formats/problem/simulation_reader.h"
 #include "problems/formats/problem/solver_reader.h"
+#include "problems/formats/problem/task_reader.h"
 
 namespace dhcal {
 
@@ -130,6 +131,11 @@ void ReadProblem(const YamlValue& root, const std::string& data_dir, ProblemSpec
   }
   if (const auto solver = map.Find("solver")) ReadSolver(*solver, &spec->solver);
   if (const auto diagnosis = map.Find("diagnosis")) ReadDiagnosis(*diagnosis, &spec->diagnosis);
+  if (const auto task = map.Find("task")) {
+    spec->task.emplace();
+    const PathResolver resolve = [&](const YamlValue& path) { return ResolvePath(path, data_dir); };
+    ReadTask(*task, spec->robot, resolve, &*spec->task);
+  }
   ReadSourceOfRows(&map, data_dir, spec);
 }
 

@@ -104,13 +104,12 @@ bool LiesIn(const std::string& file, const fs::path& folder) {
   return !file.empty() && fs::equivalent(fs::absolute(file).parent_path(), folder, error) && !error;
 }
 
-/// What calibrated.yaml says to find the recording.
-std::string RecordingPath(const ProblemSpec& spec, bool stored, const fs::path& folder) {
-  if (stored) return kRecordingCsv;
-  const fs::path recording = fs::absolute(spec.recording);
+/// A file as calibrated.yaml in the folder names it.
+std::string SeenFrom(const fs::path& folder, const std::string& file) {
+  const fs::path absolute = fs::absolute(file);
   std::error_code error;
-  const fs::path relative = fs::proximate(recording, folder, error);
-  return (error ? recording : relative).string();
+  const fs::path relative = fs::proximate(absolute, folder, error);
+  return (error ? absolute : relative).string();
 }
 
 std::string ReadBytes(const std::string& file) {
@@ -162,8 +161,13 @@ std::vector<NamedContent> Compose(const ProblemSpec& spec,
   }
   // Without a usable fit there is no calibrated robot to run again.
   if (result.best() != nullptr) {
-    const std::string path = RecordingPath(spec, own_recording || keep_recording, folder);
-    AddCalibrated(spec, recording, result, path, &files);
+    const bool stored = own_recording || keep_recording;
+    const std::string path = stored ? kRecordingCsv : SeenFrom(folder, spec.recording);
+    ProblemSpec from_folder = spec;
+    if (spec.task && !spec.task->file.empty()) {
+      from_folder.task->file = SeenFrom(folder, spec.task->file);
+    }
+    AddCalibrated(from_folder, recording, result, path, &files);
     const std::string urdf = CalibratedUrdf(spec, result, diagnostics);
     if (!urdf.empty()) files.push_back({kUrdf, urdf});
   }

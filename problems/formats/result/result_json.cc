@@ -202,6 +202,21 @@ Json DeliveredToJson(const DeliveredModel& model) {
   return object;
 }
 
+Json TaskToJson(const TaskError& task) {
+  Json object = {{"region", task.region}, {"aligned", task.aligned}};
+  SetCount("poses", task.poses, &object);
+  SetText("unknown", task.unknown, &object);
+  if (!task.unknown.empty()) return object;
+  Set("before_rms_m", task.before.rms, &object);
+  SetArray("before_ci95_m", {task.before.low, task.before.high}, &object);
+  Set("after_rms_m", task.after.rms, &object);
+  SetArray("after_ci95_m", {task.after.low, task.after.high}, &object);
+  Set("after_largest_m", task.after_largest, &object);
+  Set("hidden_rms_m", task.hidden, &object);
+  object["effects_left_out"] = task.left_out;
+  return object;
+}
+
 Json SetAsideToJson(const std::vector<RowSetAside>& rows) {
   Json array = Json::array();
   for (const RowSetAside& row : rows) {
@@ -251,6 +266,7 @@ std::string ResultToJson(const Result& result) {
   }
   if (!result.validation.method.empty()) root["validation"] = ValidationToJson(result.validation);
   if (result.delivered) root["delivered"] = DeliveredToJson(*result.delivered);
+  if (result.task) root["task"] = TaskToJson(*result.task);
   if (result.diagnosis) root["rows_set_aside"] = SetAsideToJson(result.rows_set_aside);
   if (result.diagnosis) root["diagnosis"] = DiagnosisToJson(*result.diagnosis);
   root["notes"] = result.notes;
