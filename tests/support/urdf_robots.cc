@@ -80,7 +80,7 @@ std::string Rpy(const std::string& xyz, const std::string& rpy) {
   return fmt::format("xyz=\"{}\" rpy=\"{}\"", xyz, rpy);
 }
 
-UrdfRobot Ur10() {
+UrdfRobot Ur10Urdf() {
   const std::string h = kHalfPi;
   const std::string pi = "3.141592653589793";
   return Made("ur10",
@@ -136,7 +136,7 @@ UrdfRobot Ur10() {
               "tool0");
 }
 
-UrdfRobot Kr15() {
+UrdfRobot Kr15Urdf() {
   return Made("kr15",
               {{"A1", "revolute", "base_link", "link_1", Rpy("0 0 0.675", "0 0 0"), "0 0 -1"},
                {"A2", "revolute", "link_1", "link_2", "xyz=\"0.3 0 0\"", "0 1 0"},
@@ -154,7 +154,7 @@ UrdfRobot Kr15() {
               "tool0");
 }
 
-UrdfRobot Panda() {
+UrdfRobot PandaUrdf() {
   const std::string up = std::string(kHalfPi) + " 0 0", down = std::string("-") + kHalfPi + " 0 0";
   return Made(
       "panda",
@@ -191,7 +191,7 @@ UrdfRobot Panda() {
       "panda_link8");
 }
 
-UrdfRobot Scara() {
+UrdfRobot ScaraUrdf() {
   return Made(
       "scara",
       {{"J1", "revolute", "base", "arm1", Rpy("0 0 0.22", "0 0 0.1"), "0 0 1"},
@@ -202,7 +202,7 @@ UrdfRobot Scara() {
       "tcp");
 }
 
-UrdfRobot Iiwa() {
+UrdfRobot IiwaUrdf() {
   const std::string h = kHalfPi, pi = "3.141592653589793";
   return Made(
       "iiwa",
@@ -246,7 +246,9 @@ Eigen::Matrix3d Turned(const Eigen::Vector3d& rpy) {
 
 }  // namespace
 
-std::vector<UrdfRobot> PublishedUrdfs() { return {Ur10(), Kr15(), Panda(), Scara(), Iiwa()}; }
+std::vector<UrdfRobot> PublishedUrdfs() {
+  return {Ur10Urdf(), Kr15Urdf(), PandaUrdf(), ScaraUrdf(), IiwaUrdf()};
+}
 
 UrdfRobot RandomUrdf(int num_joints, Rng* rng) {
   std::vector<JointText> joints;

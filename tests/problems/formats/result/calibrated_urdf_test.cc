@@ -27,7 +27,7 @@ using Eigen::Matrix4d;
 using Eigen::VectorXd;
 using testing::HasSubstr;
 
-constexpr char kProblem[] = R"(schema: 1
+constexpr char kUrdfProblem[] = R"(schema: 1
 name: ur
 robot:
   urdf: arm.urdf
@@ -61,7 +61,7 @@ class CalibratedUrdfTest : public testing::Test {
 TEST_F(CalibratedUrdfTest, MovesAsTheTrueRobotDoes) {
   const UrdfRobot urdf = PublishedUrdfs().front();
   WriteFile(folder_ / "arm.urdf", urdf.text);
-  const std::optional<ProblemSpec> spec = Read(kProblem);
+  const std::optional<ProblemSpec> spec = Read(kUrdfProblem);
   ASSERT_TRUE(spec) << diagnostics_.ToString();
   const std::optional<Recording> recording = SimulateRecording(*spec, &diagnostics_);
   ASSERT_TRUE(recording) << diagnostics_.ToString();
@@ -123,7 +123,7 @@ simulate: {motion: {kind: random, poses: 30}}
 
 TEST_F(CalibratedUrdfTest, NamesTheEffectsThatItCannotHold) {
   WriteFile(folder_ / "arm.urdf", PublishedUrdfs().front().text);
-  const std::optional<ProblemSpec> spec = Read(kProblem);
+  const std::optional<ProblemSpec> spec = Read(kUrdfProblem);
   ASSERT_TRUE(spec) << diagnostics_.ToString();
   Result result;
   result.delivered.emplace();
@@ -162,7 +162,7 @@ recording: r.csv
 
 TEST_F(CalibratedUrdfTest, JointsOfTheProblemHaveTheUrdfsNames) {
   WriteFile(folder_ / "arm.urdf", PublishedUrdfs().front().text);
-  const std::optional<ProblemSpec> spec = Read(kProblem);
+  const std::optional<ProblemSpec> spec = Read(kUrdfProblem);
   ASSERT_TRUE(spec) << diagnostics_.ToString();
   EXPECT_EQ(spec->robot.joints[2].name, "elbow_joint");
   EXPECT_EQ(spec->robot.joints[2].lower, -2.5);

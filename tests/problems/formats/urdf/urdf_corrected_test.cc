@@ -26,18 +26,18 @@ using Eigen::Matrix4d;
 using Eigen::VectorXd;
 using testing::HasSubstr;
 
-constexpr double kTolerance = 1e-12;  // [m] and [rad]
+constexpr double kLinkTolerance = 1e-12;  // [m] and [rad]
 
 /// A URDF as read, and its rows with errors.
-struct Case {
+struct UrdfCase {
   UrdfTree tree;
   UrdfChain chain;
   RobotModel nominal, calibrated;  // modified: whose rows end on the joints' axes
 };
 
-Case CaseOf(const UrdfRobot& robot) {
+UrdfCase UrdfCaseOf(const UrdfRobot& robot) {
   Diagnostics diagnostics;
-  Case c;
+  UrdfCase c;
   c.tree = ParseUrdf("arm.urdf", robot.text, &diagnostics).value();
   c.chain = FindUrdfChain(c.tree, {robot.base_link, robot.tip_link, {}, {}}, &diagnostics).value();
   c.nominal = InConvention(RobotOfUrdf(c.tree, c.chain, &diagnostics), DhConvention::kModified);
@@ -49,7 +49,7 @@ Case CaseOf(const UrdfRobot& robot) {
   return c;
 }
 
-std::string Corrected(const Case& c, const std::vector<std::string>& remarks = {}) {
+std::string Corrected(const UrdfCase& c, const std::vector<std::string>& remarks = {}) {
   Diagnostics diagnostics;
   const auto text = CorrectedUrdf(c.tree, c.chain, c.calibrated, remarks, &diagnostics);
   EXPECT_TRUE(text) << diagnostics.ToString();
@@ -83,7 +83,7 @@ std::string Rest(const std::string& text) {
 class UrdfCorrectedTest : public testing::TestWithParam<UrdfRobot> {};
 
 TEST_P(UrdfCorrectedTest, LinksKeepTheirPlaceOnTheRowsAndTheTipMovesAsCalibrated) {
-  const Case c = CaseOf(GetParam());
+  const UrdfCase c = UrdfCaseOf(GetParam());
   const UrdfWalk before(GetParam().text), after(Corrected(c));
   Rng rng(8);
   const auto n = static_cast<Eigen::Index>(c.chain.joints.size());
@@ -101,24 +101,24 @@ TEST_P(UrdfCorrectedTest, LinksKeepTheirPlaceOnTheRowsAndTheTipMovesAsCalibrated
           FrameOf(c.nominal, q, j).inverse() * before.Pose(GetParam().base_link, link, named);
       const Matrix4d in_calibrated_row =
           FrameOf(c.calibrated, q, j).inverse() * after.Pose(GetParam().base_link, link, named);
-      EXPECT_LT((in_row - in_calibrated_row).cwiseAbs().maxCoeff(), kTolerance) << link;
+      EXPECT_LT((in_row - in_calibrated_row).cwiseAbs().maxCoeff(), kLinkTolerance) << link;
     }
     const Matrix4d X_AE = FrameOf(c.calibrated, q, n) * c.nominal.X_TQ.matrix();
     EXPECT_LT(
         (after.Pose(GetParam().base_link, GetParam().tip_link, named) - X_AE).cwiseAbs().maxCoeff(),
-        kTolerance);
+        kLinkTolerance);
   }
 }
 
 TEST_P(UrdfCorrectedTest, NothingElseMoves) {
-  const Case c = CaseOf(GetParam());
+  const UrdfCase c = UrdfCaseOf(GetParam());
   const std::string after = Corrected(c, {"a remark"});
   EXPECT_EQ(Rest(after), Rest(GetParam().text));
   EXPECT_NE(after, GetParam().text);
 }
 
 TEST_P(UrdfCorrectedTest, WithoutCorrectionsTheFileStaysByteForByte) {
-  Case c = CaseOf(GetParam());
+  UrdfCase c = UrdfCaseOf(GetParam());
   c.calibrated = c.nominal;
   EXPECT_EQ(Corrected(c), GetParam().text);
 }
@@ -128,14 +128,14 @@ TEST_P(UrdfCorrectedTest, CheckUrdfPasses) {
     GTEST_SKIP() << "check_urdf (package liburdfdom-tools) is not installed";
   }
   const TempFolder folder;
-  WriteFile(folder / "out.urdf", Corrected(CaseOf(GetParam()), {"-- remark --"}));
+  WriteFile(folder / "out.urdf", Corrected(UrdfCaseOf(GetParam()), {"-- remark --"}));
   EXPECT_EQ(std::system(("check_urdf " + (folder / "out.urdf") + " > /dev/null 2>&1").c_str()), 0);
 }
 
 /// What is put in is found: rows of the corrected file, where it is read again, are the calibrated
 /// ones up to what slides along an axis.
 TEST_P(UrdfCorrectedTest, ReadAgainIsTheCalibratedRobot) {
-  const Case c = CaseOf(GetParam());
+  const UrdfCase c = UrdfCaseOf(GetParam());
   Diagnostics diagnostics;
   const auto tree = ParseUrdf("out.urdf", Corrected(c), &diagnostics);
   ASSERT_TRUE(tree) << diagnostics.ToString();
@@ -147,7 +147,7 @@ TEST_P(UrdfCorrectedTest, ReadAgainIsTheCalibratedRobot) {
   const VectorXd q = VectorXd::LinSpaced(n, -1, 1.5), none = VectorXd::Zero(5 * n + 12);
   const Matrix4d X = independent::ForwardKinematics<double>(c.calibrated, q, none);
   EXPECT_LT((independent::ForwardKinematics<double>(again, q, none) - X).cwiseAbs().maxCoeff(),
-            kTolerance);
+            kLinkTolerance);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots,
@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(Robots,
                          });
 
 TEST(UrdfCorrected, SaysWhereBaseAndMeasuredPointAre) {
-  Case c = CaseOf(PublishedUrdfs().front());
+  UrdfCase c = UrdfCaseOf(PublishedUrdfs().front());
   c.calibrated = c.nominal;
   c.calibrated.X_WB = Eigen::Translation3d(1, 2, 3) * c.nominal.X_WB;
   c.calibrated.X_TQ = c.nominal.X_TQ * Eigen::Translation3d(0, 0, 0.0125);
@@ -170,7 +170,7 @@ TEST(UrdfCorrected, SaysWhereBaseAndMeasuredPointAre) {
 
 TEST(UrdfCorrected, TurnsTheAxisOfAJointThatCountsTheOtherWay) {
   for (const UrdfRobot& robot : PublishedUrdfs()) {
-    Case c = CaseOf(robot);
+    UrdfCase c = UrdfCaseOf(robot);
     for (JointRow& row : c.calibrated.joints) row.sign = -1;
     const UrdfWalk after(Corrected(c));
     const auto n = static_cast<Eigen::Index>(c.chain.joints.size());
@@ -179,14 +179,14 @@ TEST(UrdfCorrected, TurnsTheAxisOfAJointThatCountsTheOtherWay) {
     for (Eigen::Index j = 0; j < n; ++j) named[c.chain.joints[static_cast<std::size_t>(j)]] = q[j];
     const Matrix4d X = FrameOf(c.calibrated, q, n) * c.nominal.X_TQ.matrix();
     EXPECT_LT((after.Pose(robot.base_link, robot.tip_link, named) - X).cwiseAbs().maxCoeff(),
-              kTolerance)
+              kLinkTolerance)
         << robot.name;
   }
 }
 
 TEST(UrdfCorrected, RefusesRowsOfAnotherRobot) {
-  const Case c = CaseOf(PublishedUrdfs()[0]);
-  const Case other = CaseOf(PublishedUrdfs()[1]);
+  const UrdfCase c = UrdfCaseOf(PublishedUrdfs()[0]);
+  const UrdfCase other = UrdfCaseOf(PublishedUrdfs()[1]);
   Diagnostics diagnostics;
   EXPECT_FALSE(CorrectedUrdf(c.tree, c.chain, other.calibrated, {}, &diagnostics));
   EXPECT_THAT(diagnostics.ToString(), HasSubstr("the rows are not those of the chain from"));
