@@ -18,6 +18,12 @@ function(dhcal_library target)
     ${target}
     PUBLIC ${arg_DEPENDS}
     PRIVATE $<BUILD_INTERFACE:dhcal_warnings>)
+  # A Python module is a shared object. The tests' own library is no part of it, and its precompiled
+  # headers serve executables.
+  if(DHCAL_PYTHON AND NOT target STREQUAL "dhcal_test_support")
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+  endif()
 endfunction()
 
 # dhcal_program(<name> DEPENDS <target>...)

@@ -96,3 +96,14 @@ if(NOT DHCAL_SANITIZE AND NOT DHCAL_COVERAGE)
            COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/install_test.py"
                    "${CMAKE_COMMAND}" "${PROJECT_BINARY_DIR}")
 endif()
+# The Python module, where it is built; else the test says that it skips.
+if(DHCAL_PYTHON)
+  set(python "${PYTHON_EXECUTABLE}")
+else()
+  set(python Python3::Interpreter)
+endif()
+add_test(NAME tools/python
+         COMMAND "${python}" "${PROJECT_SOURCE_DIR}/tests/tools/python/dhcal_test.py"
+                 "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}" "${PROJECT_BINARY_DIR}/python"
+                 "${DHCAL_PYTHON}")
+set_tests_properties(tools/python PROPERTIES SKIP_REGULAR_EXPRESSION "skipped: no Python module")

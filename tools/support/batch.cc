@@ -18,14 +18,11 @@
 #include "core/report/text_table.h"
 #include "problems/diagnosis/calibrate.h"
 #include "problems/formats/problem/effects_reader.h"
-#include "problems/formats/problem/problem_checks.h"
 #include "problems/formats/problem/problem_reader.h"
 #include "problems/formats/problem/solver_reader.h"
-#include "problems/formats/recording/recording_reader.h"
 #include "problems/formats/result/result_writer.h"
-#include "problems/identify.h"
 #include "problems/judgement.h"
-#include "problems/simulate.h"
+#include "problems/recording_of.h"
 #include "tools/support/acceptance.h"
 #include "tools/support/interrupt.h"
 #include "tools/support/progress_printer.h"
@@ -72,15 +69,8 @@ std::optional<Job> Prepare(const CommandLine& command_line,
   std::optional<ProblemSpec> spec = ReadProblemFile(file, command_line.data_dir, diagnostics);
   if (!spec) return std::nullopt;
   ApplyOverrides(command_line, &*spec, diagnostics);
-  if (!CheckRecordingExists(*spec, diagnostics)) return std::nullopt;
-  std::optional<Recording> recording =
-      spec->simulate
-          ? SimulateRecording(*spec, diagnostics)
-          : ReadRecording(spec->recording, spec->robot.joints, spec->columns, diagnostics);
+  std::optional<Recording> recording = RecordingOf(*spec, diagnostics);
   if (!recording) return std::nullopt;
-  CheckRecordingFits(*spec, *recording, diagnostics);
-  if (!diagnostics->ok()) return std::nullopt;
-  CheckEnoughReadings(*spec, *recording, diagnostics);
   Job job{std::move(*spec), std::move(*recording), ""};
   job.directory = DirectoryOf(command_line, job.spec);
   CheckResultDirectory(job.directory, diagnostics);
