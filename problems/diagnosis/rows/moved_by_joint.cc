@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 
 // Of a reading's squares that its joint's motion explains; a third of three coordinates by chance.
 constexpr double kAlongMotion = 0.6;
-constexpr int kFewest = 4, kMost = 60;  // readings of one place
+constexpr std::size_t kFewest = 4, kMost = 60;  // readings of one place
 constexpr double kChance = 1e-3;
 
 /// Which of the readings that lie off are off along the joint's motion.
@@ -74,6 +74,7 @@ void MarkPlaces(const JointAtReadings& joint,
     for (std::size_t k = 0; k < order.size(); ++k) {
       if (along[order[k]]) rank.push_back(static_cast<int>(k));
     }
+    if (rank.size() < kFewest) return;
     const Window window = LeastLikely(rank, order.size());
     if (!(joints * window.p < kChance)) return;
     for (std::size_t k = window.first; k <= window.last; ++k) {

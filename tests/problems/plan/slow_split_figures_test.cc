@@ -83,7 +83,7 @@ Recording WithMoreRows(const Recording& own, const Recording& others) {
 }
 
 /// How often a truth was named after so many poses more.
-struct Named {
+struct NamedCount {
   int poses = 0;
   int after_splitting = 0, after_random = 0;
 };
@@ -102,7 +102,7 @@ bool NamedAfter(const ProblemSpec& spec,
 }
 
 TEST(SlowSplitFigures, AmbiguousVerdictsAreNamedAfterTenPoses) {
-  std::vector<Named> counts = {{10}, {3}};
+  std::vector<NamedCount> counts = {{10}, {3}};
   int cases = 0;
   for (std::uint64_t seed = 1; seed <= kMostDraws && cases < kAmbiguousCases; ++seed) {
     Recording rows;
@@ -113,7 +113,7 @@ TEST(SlowSplitFigures, AmbiguousVerdictsAreNamedAfterTenPoses) {
     ++cases;
     const std::vector<Alternative> alternatives = AlternativesOf(d->hypotheses);
     std::cout << fmt::format("seed {}: {}:", seed, InstanceName(spec.simulate->effects[0]));
-    for (Named& named : counts) {
+    for (NamedCount& named : counts) {
       SplitOptions split, random;
       split.seed = random.seed = seed;
       split.count = random.count = random.candidates = named.poses;
@@ -128,7 +128,7 @@ TEST(SlowSplitFigures, AmbiguousVerdictsAreNamedAfterTenPoses) {
     }
     std::cout << std::endl;
   }
-  for (const Named& named : counts) {
+  for (const NamedCount& named : counts) {
     std::cout << fmt::format("{:2} poses: named {} of {} after splitting ones, {} after random\n",
                              named.poses,
                              named.after_splitting,
