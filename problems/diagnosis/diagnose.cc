@@ -18,6 +18,7 @@
 #include "problems/diagnosis/judge/describe.h"
 #include "problems/diagnosis/judge/doubtful.h"
 #include "problems/diagnosis/judge/hidden.h"
+#include "problems/diagnosis/judge/moved_readings.h"
 #include "problems/diagnosis/judge/rest.h"
 #include "problems/diagnosis/judge/unseen_rows.h"
 #include "problems/diagnosis/loop.h"
@@ -272,6 +273,7 @@ DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
   const double variance = RobustVariance(outcome.fit.y(), outcome.fit.rows->coordinates());
   if (outcome.rule.sigma_known && variance > kTuning.restless) judged.rest = true;
   judged.cells = !cells.empty();
+  judged.moved = !outcome.moved.empty();
   const std::vector<std::vector<int>> groups = FindingGroups(outcome.fit.state.members);
   const Certainties certainties =
       CertaintiesOf(model, outcome.fit, outcome.completions, outcome.rule);
@@ -310,6 +312,7 @@ DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
   }
   GiveVerdict(judged, &d);
   if (judged.rest || judged.cells) AddUnexplained(bank, searched, outcome.rule, last, &d);
+  if (judged.moved) AddMovedReadings(model, outcome, distinct, &d);
   AddHypotheses(outcome, &d);
   const PhysicsContext context(spec.robot, recording, {spec.robot.X_WB});
   AddNotTestable(spec, context, &d);

@@ -385,6 +385,7 @@ LoopOutcome Loop::Run() {
   outcome.noise = noise_;
   outcome.correlation = correlation_;
   outcome.off = off_;
+  outcome.moved = moved_;
   return outcome;
 }
 

@@ -4,6 +4,7 @@
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_LOOP_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_LOOP_H_
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -38,8 +39,9 @@ struct LoopOutcome {
   std::vector<int> geometry;      // unknowns of the fit but for the completions found
   std::vector<int> free;          // unknowns of the fit
   Noise noise;
-  double correlation = 0;  // of neighbouring rows' errors, taken out
-  std::set<int> off;       // recording rows set aside, test rows too
+  double correlation = 0;    // of neighbouring rows' errors, taken out
+  std::set<int> off;         // recording rows set aside, test rows too
+  std::map<int, int> moved;  // of those, which a joint (from 0) moved where it stood
   EvidenceRule rule;
   std::vector<std::vector<Item>> listed;  // sets that are not told apart, the found one first
 };
@@ -99,6 +101,7 @@ class Loop {
   std::vector<int> poses_;
   Noise noise_;
   std::set<int> off_;
+  std::map<int, int> moved_;
   Eigen::VectorXd weight_;
   double correlation_ = 0;
   int names_ = 1;

@@ -67,14 +67,22 @@ std::vector<Reading> Thinned(const std::vector<Reading>& readings) {
   return thinned;
 }
 
-/// The moving joints at the readings of fitted rows and test rows, one behind the other.
+std::vector<int> MovingJoints(const PhysicsContext& c) {
+  std::vector<int> moving;
+  for (int joint = 0; joint < c.num_joints(); ++joint) {
+    if (c.moves(joint)) moving.push_back(joint);
+  }
+  return moving;
+}
+
+/// Joints at the readings of fitted rows and test rows, one behind the other.
 std::vector<JointAtReadings> JointsAt(const PhysicsContext& c,
+                                      const std::vector<int>& moving,
                                       const DesignRows& fitted,
                                       const DesignRows& test,
                                       const std::vector<int>& rows) {
   std::vector<JointAtReadings> joints;
-  for (int joint = 0; joint < c.num_joints(); ++joint) {
-    if (!c.moves(joint)) continue;
+  for (const int joint : moving) {
     JointAtReadings at;
     at.place = c.q(joint)(rows);
     at.motion.resize(fitted.num_rows() + test.num_rows());
@@ -141,15 +149,19 @@ void Loop::UpdateOutliers(const JointRows& joint, bool with_leverage) {
     for (int k = 0; k < set->num_readings(); ++k) rows.push_back(set->recording_row(k));
   }
   // Of two poses no reading says which of them a joint moved.
-  std::vector<bool> moved(off.size(), false);
+  std::vector<int> moved(off.size(), -1);
+  const std::vector<int> moving = MovingJoints(*joint.context);
   if (!c.measurement->kind().pairs) {
     VectorXd y(fitted.num_rows() + test.num_rows());
     y << fitted.y(), test.y();
-    moved = MovedByAJoint(JointsAt(*joint.context, fitted, test, rows), y, off);
+    moved = MovedByAJoint(JointsAt(*joint.context, moving, fitted, test, rows), y, off);
   }
   off_.clear();
+  moved_.clear();
   for (std::size_t k = 0; k < off.size(); ++k) {
-    if (off[k] && !moved[k]) off_.insert(rows[k]);
+    if (!off[k]) continue;
+    off_.insert(rows[k]);
+    if (moved[k] >= 0) moved_[rows[k]] = moving[static_cast<std::size_t>(moved[k])];
   }
 }
 

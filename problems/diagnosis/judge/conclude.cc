@@ -191,7 +191,7 @@ void GiveVerdict(const Judged& judged, DiagnosisResult* d) {
     physics = physics || finding.effect_class != "geometry";
     confusable = confusable || !finding.confusable_with.empty();
   }
-  const bool rest = judged.rest || judged.cells;
+  const bool rest = judged.rest || judged.cells || judged.moved;
   if (d->findings.empty() && !rest) {
     d->verdict = DiagnosisVerdict::kConsistent;
     d->summary = "the rigid model meets the noise; no missing effect was detected";

@@ -11,6 +11,7 @@ namespace dhcal {
 struct Judged {
   bool rest = false;   // something significant is left
   bool cells = false;  // part of the model has no name
+  bool moved = false;  // a joint moved readings that were set aside
 };
 
 /// Fills verdict and summary from the findings, what they may be confused with, and the rest.

@@ -15,7 +15,6 @@ using Eigen::VectorXd;
 // Of a reading's squares that its joint's motion explains; a third of three coordinates by chance.
 constexpr double kAlongMotion = 0.6;
 constexpr std::size_t kFewest = 4, kMost = 60;  // readings of one place
-constexpr double kChance = 1e-3;
 
 /// Which of the readings that lie off are off along the joint's motion.
 std::vector<bool> AlongMotion(const JointAtReadings& joint,
@@ -62,8 +61,8 @@ Window LeastLikely(const std::vector<int>& rank, std::size_t readings) {
 /// Marks the readings of all such places of one joint.
 void MarkPlaces(const JointAtReadings& joint,
                 std::vector<bool> along,
-                double joints,
-                std::vector<bool>* moved) {
+                const std::vector<JointAtReadings>& joints,
+                std::vector<int>* moved) {
   std::vector<std::size_t> order(along.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -76,10 +75,10 @@ void MarkPlaces(const JointAtReadings& joint,
     }
     if (rank.size() < kFewest) return;
     const Window window = LeastLikely(rank, order.size());
-    if (!(joints * window.p < kChance)) return;
+    if (!(static_cast<double>(joints.size()) * window.p < kChanceOfAPlace)) return;
     for (std::size_t k = window.first; k <= window.last; ++k) {
       const std::size_t reading = order[static_cast<std::size_t>(rank[k])];
-      (*moved)[reading] = true;
+      (*moved)[reading] = static_cast<int>(&joint - joints.data());
       along[reading] = false;
     }
   }
@@ -87,13 +86,12 @@ void MarkPlaces(const JointAtReadings& joint,
 
 }  // namespace
 
-std::vector<bool> MovedByAJoint(const std::vector<JointAtReadings>& joints,
-                                const VectorXd& residuals,
-                                const std::vector<bool>& off) {
-  std::vector<bool> moved(off.size(), false);
+std::vector<int> MovedByAJoint(const std::vector<JointAtReadings>& joints,
+                               const VectorXd& residuals,
+                               const std::vector<bool>& off) {
+  std::vector<int> moved(off.size(), -1);
   for (const JointAtReadings& joint : joints) {
-    MarkPlaces(
-        joint, AlongMotion(joint, residuals, off), static_cast<double>(joints.size()), &moved);
+    MarkPlaces(joint, AlongMotion(joint, residuals, off), joints, &moved);
   }
   return moved;
 }

@@ -11,6 +11,7 @@
 #include "core/base/text.h"
 #include "core/io/cell_table.h"
 #include "core/io/file_errors.h"
+#include "problems/formats/recording/column_spelling.h"
 #include "problems/formats/recording/recording_cells.h"
 #include "problems/formats/recording/recording_layout.h"
 #include "problems/formats/recording/recording_orientation.h"

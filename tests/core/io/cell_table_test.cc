@@ -55,6 +55,22 @@ TEST(CellTable, OneNoteSaysWhatWasTakenHow) {
             "and 'nan' and '-' as blank cells\n");
 }
 
+TEST(CellTable, ALineOfUnitsBelongsToTheNames) {
+  const auto with_units = [](const std::string& text) {
+    FileErrors errors("f");
+    return ParseTable("f", text, &errors, [](std::string_view cell) { return cell == "mm"; });
+  };
+  const auto table = with_units("x;y;set\nmm;[mm];-\n1;2;a\n");
+  ASSERT_TRUE(table.has_value());
+  EXPECT_EQ(table->num_rows(), 1);
+  EXPECT_EQ(table->name(1), "y [mm]");
+  EXPECT_EQ(table->own_name(1), "y");
+  EXPECT_EQ(table->name(2), "set");
+  EXPECT_EQ(with_units("x,y\nmm,a\n1,2\n")->num_rows(), 2) << "a is no unit";
+  EXPECT_EQ(with_units("x,y\n-,-\n1,2\n")->num_rows(), 2) << "blank cells are none";
+  EXPECT_EQ(with_units("x,y\n1,2\nmm,mm\n")->num_rows(), 2) << "not below the names";
+}
+
 TEST(CellTable, ErrorValuesAtTheStartOfARowAreNoComments) {
   const Read read = ReadText("a,b\n#N/A,1\n# comment\n2,3\n");
   ASSERT_EQ(read.table->num_rows(), 2);

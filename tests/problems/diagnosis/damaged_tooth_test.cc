@@ -42,7 +42,9 @@ TEST(DamagedTooth, IsNotSetAsideAsMisreadings) {
     const DiagnosisResult d = Diagnosed(spec, WithTooth(truth, spec, seed));
     if (d.verdict == DiagnosisVerdict::kConsistent) ++unnoticed;
     for (const Finding& finding : d.findings) {
-      if (finding.location != "joint 3") ++elsewhere;
+      const bool at_joint = finding.location == "joint 3";
+      if (!at_joint) ++elsewhere;
+      EXPECT_TRUE(at_joint) << seed << ": " << finding.location << ": " << finding.sentence;
     }
   }
   EXPECT_EQ(unnoticed, 0);

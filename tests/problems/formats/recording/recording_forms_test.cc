@@ -1,5 +1,4 @@
-// One good recording in the forms that spreadsheets, robots, trackers and ROS write it in. Each
-// loads with the same numbers, or its message holds the one line to change.
+// One good recording in the forms that people write it in: read, or told what to change.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -123,8 +122,6 @@ struct Form {
 
 const Cells kUrNames = {"shoulder_pan", "shoulder_lift", "elbow", "wrist_1", "wrist_2", "wrist_3"};
 
-const Cells kUnits = {"deg", "deg", "deg", "deg", "deg", "deg", "mm", "mm", "mm"};
-
 Cells Numbered(const std::string& before, int first, const std::string& behind) {
   Cells names;
   for (int i = 0; i < kJoints; ++i) names.push_back(before + std::to_string(first + i) + behind);
@@ -218,19 +215,10 @@ void AddUnits(std::vector<Form>* forms) {
   Writing writing;
   writing.joint_names = Numbered("J", 1, "");
   writing.position_names = {"X", "Y", "Z"};
-  writing.units = kUnits;
+  writing.units = {"deg", "deg", "deg", "deg", "deg", "deg", "mm", "mm", "mm"};
   forms->push_back({"UnitsBelowTheNames", Write(writing), "read with the units in line 2\n"});
-  for (std::string& unit : writing.units) unit = "[" + unit + "]";
-  forms->push_back({"UnitsInBracketsBelowTheNames", Write(writing), "the units in line 2"});
-  Writing twice;
-  twice.units = kUnits;
-  forms->push_back({"UnitsBelowNamesThatHaveThem", Write(twice), "the units in line 2"});
-  Writing words;
-  words.units = {"a", "b", "c", "d", "e", "f", "g", "h", "i"};
-  forms->push_back({"WordsBelowTheNames", Write(words), "'a' is not a number", true});
   Writing contradictory;
-  contradictory.units = kUnits;
-  contradictory.units[0] = "rad";
+  contradictory.units = {"rad", "deg", "deg", "deg", "deg", "deg", "mm", "mm", "mm"};
   forms->push_back({"UnitsThatContradictTheNames", Write(contradictory), "q1", true});
 }
 
