@@ -20,8 +20,7 @@ namespace {
 using testing::HasSubstr;
 using Cells = std::vector<std::string>;
 
-constexpr int kRows = 12;
-constexpr int kJoints = 6;
+constexpr int kRows = 12, kJoints = 6;
 
 /// The numbers as they are written: degrees and millimetres with three decimals.
 struct Good {
