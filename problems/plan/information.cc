@@ -59,12 +59,12 @@ void AddRow(const Eigen::RowVectorXd& row, const Eigen::VectorXd& tolerance, Gro
     const int column = sum->column_of[static_cast<std::size_t>(k)];
     picked[k] = column < 0 ? 0.0 : row[column] * tolerance[column];
   }
-  sum->gram.selfadjointView<Eigen::Lower>().rankUpdate(picked);
+  sum->gram.triangularView<Eigen::Lower>() += picked * picked.transpose();
 }
 
 /// What is left for the first `count` columns when the others are unknown.
 Eigen::MatrixXd Reduced(const Eigen::MatrixXd& lower, Eigen::Index count) {
-  const Eigen::MatrixXd gram = lower.selfadjointView<Eigen::Lower>();
+  Eigen::MatrixXd gram = lower.selfadjointView<Eigen::Lower>();
   const Eigen::Index others = gram.rows() - count;
   if (others == 0) return gram;
   const auto cross = gram.bottomLeftCorner(others, count);
