@@ -59,7 +59,7 @@ void AddRow(const Eigen::RowVectorXd& row, const Eigen::VectorXd& tolerance, Gro
     const int column = sum->column_of[static_cast<std::size_t>(k)];
     picked[k] = column < 0 ? 0.0 : row[column] * tolerance[column];
   }
-  sum->gram.triangularView<Eigen::Lower>() += picked * picked.transpose();
+  for (Eigen::Index k = 0; k < picked.size(); ++k) sum->gram.col(k) += picked[k] * picked;
 }
 
 /// What is left for the first `count` columns when the others are unknown.
