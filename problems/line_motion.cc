@@ -79,8 +79,7 @@ class Walker {
   explicit Walker(const ProblemSpec& spec)
       : inverse_(spec.robot),
         state_{VectorXd::Zero(inverse_.chain().slots().size()),
-               {spec.robot.X_WB,
-                spec.robot.targets.empty() ? spec.robot.X_TQ : spec.robot.targets[0].X_TQ}},
+               {spec.robot.X_WB, spec.robot.first_X_TQ()}},
         q_(spec.simulate->motion.home) {}
 
   const VectorXd& q() const { return q_; }
@@ -109,13 +108,17 @@ class Walker {
 Isometry3d PoseOn(const MotionLine& line, double share, double tilt, Rng* rng) {
   Isometry3d X = line.X_WQ;
   X.translation() += share * (line.p_WQ_end - line.X_WQ.translation());
-  const double x = rng->Uniform(-tilt, tilt), y = rng->Uniform(-tilt, tilt),
-               z = rng->Uniform(-tilt, tilt);
-  X.linear() = X.linear() * ExpSO3<double>(Vector3d(x, y, z));
+  X.linear() = X.linear() * RandomTilt(tilt, rng);
   return X;
 }
 
 }  // namespace
+
+Eigen::Matrix3d RandomTilt(double most, Rng* rng) {
+  Vector3d turn;
+  for (double& component : turn) component = rng->Uniform(-most, most);
+  return ExpSO3<double>(turn);
+}
 
 std::optional<Recording> LineMotion(const ProblemSpec& spec, Rng* rng, Diagnostics* diagnostics) {
   const MotionSpec& motion = spec.simulate->motion;

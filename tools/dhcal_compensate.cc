@@ -1,13 +1,8 @@
 // dhcal_compensate: joint commands at which the real robot holds its tool where it is wanted.
-#include <algorithm>
-#include <cstdlib>
-#include <exception>
-#include <filesystem>
 #include <iostream>
-#include <string>
 
-#include "core/base/quiet_log.h"
 #include "tools/compensate/run.h"
+#include "tools/support/flags.h"
 
 namespace dhcal {
 namespace {
@@ -41,70 +36,24 @@ calibration's covariance alone), and ok or why there is no command.
 Exit status: 0 a command for every row, 1 some rows were refused, 2 bad input.
 )";
 
-/// Takes "--name value" and "--name=value"; false at anything else.
-bool Parse(int argc, char** argv, CompensateOptions* options, std::string* wrong) {
-  const auto texts = {std::pair("model", &options->model),
-                      std::pair("poses", &options->poses),
-                      std::pair("nominal", &options->nominal),
-                      std::pair("frame", &options->frame),
-                      std::pair("seed_deg", &options->seed),
-                      std::pair("result", &options->result),
-                      std::pair("out", &options->out),
-                      std::pair("data_dir", &options->data_dir)};
-  for (int k = 1; k < argc; ++k) {
-    std::string name = argv[k];
-    *wrong = name;
-    if (name.rfind("--", 0) != 0) return false;
-    name = name.substr(2);
-    const std::size_t equals = name.find('=');
-    std::string value;
-    if (equals != std::string::npos) {
-      value = name.substr(equals + 1);
-      name = name.substr(0, equals);
-    }
-    std::replace(name.begin(), name.end(), '-', '_');
-    if (name == "predict" && equals == std::string::npos) {
-      options->predict = true;
-      continue;
-    }
-    const auto text = std::find_if(
-        texts.begin(), texts.end(), [&](const auto& entry) { return name == entry.first; });
-    if (text == texts.end()) return false;
-    if (equals == std::string::npos) {
-      if (k + 1 == argc) return false;
-      value = argv[++k];
-    }
-    *text->second = value;
-  }
-  return true;
-}
-
-int Main(int argc, char** argv) {
-  for (int k = 1; k < argc; ++k) {
-    if (std::string(argv[k]) == "--help") {
-      std::cout << kHelp;
-      return kCompensateOk;
-    }
-  }
-  CompensateOptions options;
-  std::string wrong;
-  if (const char* const data = std::getenv("DHCAL_DATA")) options.data_dir = data;
-  if (!Parse(argc, argv, &options, &wrong)) {
-    std::cerr << "dhcal_compensate: '" << wrong << "' is no flag or lacks its value; see --help\n";
-    return kCompensateBadInput;
-  }
-  return RunCompensate(options, std::cout, std::cerr);
-}
-
 }  // namespace
 }  // namespace dhcal
 
 int main(int argc, char** argv) {
-  dhcal::StartQuietLog(argv[0]);
-  try {
-    return dhcal::Main(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "dhcal_compensate: internal error: " << error.what() << "\n";
-    return dhcal::kCompensateRefused;
-  }
+  dhcal::CompensateOptions options;
+  dhcal::FlagProgram program;
+  program.name = "dhcal_compensate";
+  program.help = dhcal::kHelp;
+  program.flags.texts = {{"model", &options.model},
+                         {"poses", &options.poses},
+                         {"nominal", &options.nominal},
+                         {"frame", &options.frame},
+                         {"seed_deg", &options.seed},
+                         {"result", &options.result},
+                         {"out", &options.out},
+                         {"data_dir", &options.data_dir}};
+  program.flags.switches = {{"predict", &options.predict}};
+  program.data_dir = &options.data_dir;
+  program.run = [&] { return dhcal::RunCompensate(options, std::cout, std::cerr); };
+  return dhcal::RunFlagProgram(argc, argv, program);
 }

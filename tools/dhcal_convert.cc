@@ -1,13 +1,8 @@
 // dhcal_convert: a robot from one form into another.
-#include <algorithm>
-#include <cstdlib>
-#include <exception>
 #include <iostream>
-#include <string>
-#include <utility>
 
-#include "core/base/quiet_log.h"
 #include "tools/convert/run.h"
+#include "tools/support/flags.h"
 
 namespace dhcal {
 namespace {
@@ -35,64 +30,25 @@ What a form cannot hold (effects of calibrated.yaml) is said, and written into t
 Exit status: 0 written, 2 bad input or not written.
 )";
 
-/// Takes "--name value" and "--name=value"; false at anything else.
-bool ParseConvert(int argc, char** argv, ConvertOptions* options, std::string* wrong) {
-  const auto texts = {std::pair("from", &options->from),
-                      std::pair("to", &options->to),
-                      std::pair("kind", &options->kind),
-                      std::pair("base_link", &options->base_link),
-                      std::pair("tip_link", &options->tip_link),
-                      std::pair("convention", &options->convention),
-                      std::pair("urdf", &options->urdf),
-                      std::pair("nominal", &options->nominal),
-                      std::pair("hash", &options->hash),
-                      std::pair("data_dir", &options->data_dir)};
-  for (int k = 1; k < argc; ++k) {
-    std::string name = argv[k];
-    *wrong = name;
-    if (name.rfind("--", 0) != 0) return false;
-    name = name.substr(2);
-    const std::size_t equals = name.find('=');
-    std::string value = equals == std::string::npos ? "" : name.substr(equals + 1);
-    name = name.substr(0, equals);
-    std::replace(name.begin(), name.end(), '-', '_');
-    const auto text = std::find_if(
-        texts.begin(), texts.end(), [&](const auto& entry) { return name == entry.first; });
-    if (text == texts.end()) return false;
-    if (equals == std::string::npos) {
-      if (k + 1 == argc) return false;
-      value = argv[++k];
-    }
-    *text->second = value;
-  }
-  return true;
-}
-
-int ConvertMain(int argc, char** argv) {
-  const auto asks = [](const char* argument) { return std::string(argument) == "--help"; };
-  if (std::any_of(argv + 1, argv + argc, asks)) {
-    std::cout << kHelp;
-    return kConvertOk;
-  }
-  ConvertOptions options;
-  std::string wrong;
-  if (const char* const data = std::getenv("DHCAL_DATA")) options.data_dir = data;
-  if (!ParseConvert(argc, argv, &options, &wrong)) {
-    std::cerr << "dhcal_convert: '" << wrong << "' is no flag or lacks its value; see --help\n";
-    return kConvertBadInput;
-  }
-  return RunConvert(options, std::cerr);
-}
-
 }  // namespace
 }  // namespace dhcal
 
 int main(int argc, char** argv) {
-  dhcal::StartQuietLog(argv[0]);
-  try {
-    return dhcal::ConvertMain(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "dhcal_convert: internal error: " << error.what() << "\n";
-    return dhcal::kConvertFailed;
-  }
+  dhcal::ConvertOptions options;
+  dhcal::FlagProgram program;
+  program.name = "dhcal_convert";
+  program.help = dhcal::kHelp;
+  program.flags.texts = {{"from", &options.from},
+                         {"to", &options.to},
+                         {"kind", &options.kind},
+                         {"base_link", &options.base_link},
+                         {"tip_link", &options.tip_link},
+                         {"convention", &options.convention},
+                         {"urdf", &options.urdf},
+                         {"nominal", &options.nominal},
+                         {"hash", &options.hash},
+                         {"data_dir", &options.data_dir}};
+  program.data_dir = &options.data_dir;
+  program.run = [&] { return dhcal::RunConvert(options, std::cerr); };
+  return dhcal::RunFlagProgram(argc, argv, program);
 }

@@ -1,13 +1,8 @@
 // dhcal_plan: which poses to measure so that a calibration serves best.
-#include <algorithm>
-#include <cstdlib>
-#include <exception>
 #include <iostream>
-#include <string>
-#include <utility>
 
-#include "core/base/quiet_log.h"
 #include "tools/plan/run.h"
+#include "tools/support/flags.h"
 
 namespace dhcal {
 namespace {
@@ -45,76 +40,30 @@ what as many poses let expect.
 Exit status: 0 a plan was written, 2 bad input or no plan.
 )";
 
-/// Takes "--name value" and "--name=value"; false at anything else.
-bool Parse(int argc, char** argv, PlanCommand* command, std::string* wrong) {
-  const auto texts = {std::pair("problem", &command->problem),
-                      std::pair("poses", &command->poses),
-                      std::pair("candidates", &command->candidates),
-                      std::pair("criterion", &command->criterion),
-                      std::pair("volume_m", &command->volume),
-                      std::pair("seed", &command->seed),
-                      std::pair("out", &command->out),
-                      std::pair("result", &command->result),
-                      std::pair("edge_length_mm", &command->edge_length),
-                      std::pair("edge_poses", &command->edge_poses),
-                      std::pair("tilt_deg", &command->tilt),
-                      std::pair("slope_deg", &command->slope),
-                      std::pair("stand_off_mm", &command->stand_off),
-                      std::pair("data_dir", &command->data_dir)};
-  for (int k = 1; k < argc; ++k) {
-    std::string name = argv[k];
-    *wrong = name;
-    if (name.rfind("--", 0) != 0) return false;
-    name = name.substr(2);
-    const std::size_t equals = name.find('=');
-    std::string value;
-    if (equals != std::string::npos) {
-      value = name.substr(equals + 1);
-      name = name.substr(0, equals);
-    }
-    std::replace(name.begin(), name.end(), '-', '_');
-    if (name == "split" && equals == std::string::npos) {
-      command->split = true;
-      continue;
-    }
-    const auto text = std::find_if(
-        texts.begin(), texts.end(), [&](const auto& entry) { return name == entry.first; });
-    if (text == texts.end()) return false;
-    if (equals == std::string::npos) {
-      if (k + 1 == argc) return false;
-      value = argv[++k];
-    }
-    *text->second = value;
-  }
-  return true;
-}
-
-int Main(int argc, char** argv) {
-  for (int k = 1; k < argc; ++k) {
-    if (std::string(argv[k]) == "--help") {
-      std::cout << kHelp;
-      return kPlanOk;
-    }
-  }
-  PlanCommand command;
-  std::string wrong;
-  if (const char* const data = std::getenv("DHCAL_DATA")) command.data_dir = data;
-  if (!Parse(argc, argv, &command, &wrong)) {
-    std::cerr << "dhcal_plan: '" << wrong << "' is no flag or lacks its value; see --help\n";
-    return kPlanBadInput;
-  }
-  return RunPlan(command, std::cout, std::cerr);
-}
-
 }  // namespace
 }  // namespace dhcal
 
 int main(int argc, char** argv) {
-  dhcal::StartQuietLog(argv[0]);
-  try {
-    return dhcal::Main(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "dhcal_plan: internal error: " << error.what() << "\n";
-    return dhcal::kPlanFailed;
-  }
+  dhcal::PlanCommand command;
+  dhcal::FlagProgram program;
+  program.name = "dhcal_plan";
+  program.help = dhcal::kHelp;
+  program.flags.texts = {{"problem", &command.problem},
+                         {"poses", &command.poses},
+                         {"candidates", &command.candidates},
+                         {"criterion", &command.criterion},
+                         {"volume_m", &command.volume},
+                         {"seed", &command.seed},
+                         {"out", &command.out},
+                         {"result", &command.result},
+                         {"edge_length_mm", &command.edge_length},
+                         {"edge_poses", &command.edge_poses},
+                         {"tilt_deg", &command.tilt},
+                         {"slope_deg", &command.slope},
+                         {"stand_off_mm", &command.stand_off},
+                         {"data_dir", &command.data_dir}};
+  program.flags.switches = {{"split", &command.split}};
+  program.data_dir = &command.data_dir;
+  program.run = [&] { return dhcal::RunPlan(command, std::cout, std::cerr); };
+  return dhcal::RunFlagProgram(argc, argv, program);
 }

@@ -92,6 +92,11 @@ struct RobotModel {
   std::vector<LinkMass> links;                                  // empty, or one per joint
   LinkMass payload;                                             // in the flange frame T
 
+  /// Of the first target where there are targets.
+  const Eigen::Isometry3d& first_X_TQ() const {
+    return targets.empty() ? X_TQ : targets.front().X_TQ;
+  }
+
   int num_joints() const { return static_cast<int>(joints.size()); }
   /// Index of the row whose twist and length lie between the axes of joint_idx and the next:
   /// standard rows twist after their joint, modified rows before it.

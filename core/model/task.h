@@ -17,6 +17,10 @@ namespace dhcal {
 struct TaskBox {
   Eigen::Vector3d low = Eigen::Vector3d::Zero();
   Eigen::Vector3d high = Eigen::Vector3d::Zero();
+
+  bool Holds(const Eigen::Vector3d& p) const {
+    return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
+  }
 };
 
 /// A box, or poses.

@@ -107,7 +107,7 @@ const Eigen::Isometry3d& PhysicsContext::X_TQ(int row_idx) const {
       if (tool.run == name) return tool.X;
     }
   }
-  return robot_.targets.empty() ? robot_.X_TQ : robot_.targets.front().X_TQ;
+  return robot_.first_X_TQ();
 }
 
 Eigen::Vector3d PhysicsContext::p_WQ(int row_idx) const {

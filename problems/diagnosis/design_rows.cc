@@ -14,7 +14,7 @@ namespace dhcal {
 namespace {
 
 // Of the largest variance: what is less is rounding.
-constexpr double kSmallestShare = 1e-12;
+constexpr double kLeastVariance = 1e-12;
 
 double Square(double x) { return x * x; }
 
@@ -267,7 +267,7 @@ void DesignRows::WhitenSerially() {
 }
 
 void DesignRows::ShrinkSharedRounding() {
-  std::vector<Eigen::VectorXd> columns;  // one standard deviation of each place
+  std::vector<std::vector<SlotWeights>> places_of_all;  // one standard deviation of each
   for (int joint = 0; joint < weights_.read_out.level.size(); ++joint) {
     const double quantum = weights_.read_out.level[joint];
     if (quantum == 0) continue;
@@ -278,17 +278,14 @@ void DesignRows::ShrinkSharedRounding() {
       place.first->second[row] = quantum / std::sqrt(12.0);
     }
     for (const auto& place : places) {
-      columns.push_back(OwnColumn({{MovingSlot(c_, joint), place.second}}));
+      places_of_all.push_back({{MovingSlot(c_, joint), place.second}});
     }
   }
-  if (columns.empty()) return;
-  Eigen::MatrixXd L(num_rows(), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    L.col(static_cast<Eigen::Index>(k)) = columns[k];
-  }
+  if (places_of_all.empty()) return;
+  const Eigen::MatrixXd L = OwnColumns(places_of_all);
   // Covariance I + L L' = I + U S^2 U', and its inverse root is I - U (1 - (1 + S^2)^-1/2) U'.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(SquareOf(L));
-  const double least = kSmallestShare * eigen.eigenvalues().maxCoeff();
+  const double least = kLeastVariance * eigen.eigenvalues().maxCoeff();
   Eigen::Index first = 0;
   while (first < L.cols() && eigen.eigenvalues()[first] <= least) ++first;
   const Eigen::VectorXd variance = eigen.eigenvalues().tail(L.cols() - first);
@@ -322,31 +319,32 @@ Eigen::VectorXd DesignRows::OwnColumn(const std::vector<SlotWeights>& slots) con
   return column;
 }
 
-Eigen::MatrixXd DesignRows::Columns(const std::vector<std::vector<SlotWeights>>& columns) const {
+Eigen::MatrixXd DesignRows::OwnColumns(const std::vector<std::vector<SlotWeights>>& columns) const {
   Eigen::MatrixXd whitened(num_rows(), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k) {
     whitened.col(static_cast<Eigen::Index>(k)) = OwnColumn(columns[k]);
   }
-  return Shrunk(whitened);
+  return whitened;
+}
+
+Eigen::MatrixXd DesignRows::Columns(const std::vector<std::vector<SlotWeights>>& columns) const {
+  return Shrunk(OwnColumns(columns));
 }
 
 Eigen::MatrixXd DesignRows::Geometry(const std::vector<Parameter>& parameters) const {
-  const auto num_parameters = static_cast<Eigen::Index>(parameters.size());
-  Eigen::MatrixXd J(num_rows(), num_parameters);
-  for (Eigen::Index k = 0; k < num_parameters; ++k) {
-    const Parameter& parameter = parameters[static_cast<std::size_t>(k)];
+  std::vector<std::vector<SlotWeights>> columns;
+  for (const Parameter& parameter : parameters) {
     if (parameter.effect_column >= 0) {
-      const auto column = static_cast<std::size_t>(parameter.effect_column);
-      J.col(k) = OwnColumn(c_.effect_columns[column].slots);
+      columns.push_back(c_.ColumnOf(parameter).slots);
       continue;
     }
     Eigen::VectorXd weight(c_.recording.num_rows());
     for (int row = 0; row < c_.recording.num_rows(); ++row) {
       weight[row] = parameter.scope.Holds(c_.Labels(row)) ? 1.0 : 0.0;
     }
-    J.col(k) = OwnColumn({{parameter.slot, weight}});
+    columns.push_back({{parameter.slot, weight}});
   }
-  return Shrunk(J);
+  return Columns(columns);
 }
 
 double RmsAsRead(const Calibration& c,

@@ -91,7 +91,9 @@ class DesignRows {
   void WhitenSerially();
   /// Finds what the rounding of few places gives to the rows, and takes it out.
   void ShrinkSharedRounding();
+  /// Columns as they are before what rows share is taken out.
   Eigen::VectorXd OwnColumn(const std::vector<SlotWeights>& slots) const;
+  Eigen::MatrixXd OwnColumns(const std::vector<std::vector<SlotWeights>>& columns) const;
   void AddReading(const Reading& reading);
   void AddSeries(const std::vector<Reading>& readings);
   /// Covariance that the rounding of joint coordinates gives to rows with these derivatives.

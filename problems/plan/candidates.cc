@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/kinematics/inverse_kinematics.h"
 #include "core/math/rotation.h"
+#include "problems/line_motion.h"
 #include "problems/task/region.h"
 
 namespace dhcal {
@@ -22,9 +23,7 @@ constexpr int kTriesPerEdge = 200;
 constexpr int kTriesPerPoint = 500;
 
 bool IsIn(const std::optional<TaskBox>& volume, const Vector3d& p_BQ) {
-  if (!volume) return true;
-  return (p_BQ.array() >= volume->low.array()).all() &&
-         (p_BQ.array() <= volume->high.array()).all();
+  return !volume || volume->Holds(p_BQ);
 }
 
 void Append(const VectorXd& q, int group, Candidates* candidates) {
@@ -40,7 +39,7 @@ class EdgeDrawer {
   EdgeDrawer(const RobotModel& robot, const EdgePlan& plan)
       : inverse_(robot),
         state_{VectorXd::Zero(inverse_.chain().slots().size()),
-               {Isometry3d::Identity(), FirstTool(robot)}},
+               {Isometry3d::Identity(), robot.first_X_TQ()}},
         plan_(plan) {}
 
   /// The point of the nominal robot in its base.
@@ -89,9 +88,7 @@ class EdgeDrawer {
     x.normalize();
     Isometry3d X = Isometry3d::Identity();
     X.linear() << x, z.cross(x), z;
-    Vector3d turn;
-    for (double& component : turn) component = rng->Uniform(-plan_.tilt, plan_.tilt);
-    X.linear() = X.linear() * ExpSO3<double>(turn);
+    X.linear() = X.linear() * RandomTilt(plan_.tilt, rng);
     X.translation() = X_BE * Vector3d((share - 0.5) * plan_.length, 0, plan_.stand_off);
     return X;
   }
@@ -110,7 +107,7 @@ Candidates DrawPoses(const RobotModel& robot,
   const JointRange range(robot);
   const DhChain chain(robot);
   const VectorXd delta = VectorXd::Zero(chain.slots().size());
-  const EndFrames ends{Isometry3d::Identity(), FirstTool(robot)};
+  const EndFrames ends{Isometry3d::Identity(), robot.first_X_TQ()};
   Candidates candidates;
   const int most = volume ? kTriesPerPoint * count : count;
   while (candidates.tried < most && candidates.count < count) {

@@ -14,10 +14,6 @@ namespace {
 constexpr int kDrawsPerPose = 60;
 constexpr int kTriesPerPose = 12;
 
-bool Inside(const TaskBox& box, const Eigen::Vector3d& p) {
-  return (p.array() >= box.low.array()).all() && (p.array() <= box.high.array()).all();
-}
-
 Eigen::Vector3d PointIn(const TaskBox& box, Rng* rng) {
   Eigen::Vector3d p;
   for (int k = 0; k < 3; ++k) p[k] = rng->Uniform(box.low[k], box.high[k]);
@@ -42,10 +38,6 @@ Eigen::VectorXd JointRange::Draw(Rng* rng) const {
   return q;
 }
 
-const Eigen::Isometry3d& FirstTool(const RobotModel& robot) {
-  return robot.targets.empty() ? robot.X_TQ : robot.targets[0].X_TQ;
-}
-
 Eigen::MatrixXd DrawInBox(const RobotModel& robot,
                           const TaskBox& box,
                           int count,
@@ -54,13 +46,13 @@ Eigen::MatrixXd DrawInBox(const RobotModel& robot,
   const JointRange range(robot);
   const InverseKinematics inverse(robot);
   const ChainState state{Eigen::VectorXd::Zero(inverse.chain().slots().size()),
-                         {Eigen::Isometry3d::Identity(), FirstTool(robot)}};
+                         {Eigen::Isometry3d::Identity(), robot.first_X_TQ()}};
   std::vector<Eigen::VectorXd> found;
   const auto full = [&] { return static_cast<int>(found.size()) == count; };
   for (int draw = 0; draw < kDrawsPerPose * count && !full(); ++draw) {
     Eigen::VectorXd q = range.Draw(&rng);
     const Eigen::Isometry3d X_BQ = inverse.chain().Pose<double>(q, state.delta, state.ends);
-    if (Inside(box, X_BQ.translation())) found.push_back(std::move(q));
+    if (box.Holds(X_BQ.translation())) found.push_back(std::move(q));
   }
   for (int attempt = 0; attempt < kTriesPerPose * count && !full(); ++attempt) {
     const Eigen::VectorXd from = range.Draw(&rng);

@@ -21,9 +21,6 @@ struct JointRange {
   Eigen::VectorXd Draw(Rng* rng) const;
 };
 
-/// The measured point's frame on the flange: of the first target where there are targets.
-const Eigen::Isometry3d& FirstTool(const RobotModel& robot);
-
 /// Seeded random poses of the nominal robot with its point in the box, uniform in the joints'
 /// range where enough of that reaches the box, else also by inverse kinematics from there to
 /// uniform points of the box. Fewer than `count`, or none, where those are out of reach.

@@ -1,13 +1,12 @@
 #include "tools/compare/read_result.h"
 
 #include <cmath>
-#include <cstddef>
 #include <filesystem>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/io/text_file.h"
+#include "problems/formats/result/result_reader.h"
 
 namespace dhcal {
 namespace {
@@ -55,10 +54,8 @@ ReadResult FromJson(const Json& root) {
   result.kind = root.at("kind").get<std::string>();
   result.rows = root.at("rows").get<int>();
   result.noise = Number(root, "noise_sigma_m");
-  const auto best = root.at("best_fit").get<int>();
-  const Json& fit = root.at("fits").at(static_cast<std::size_t>(best));
   const bool delivered = root.contains("delivered");
-  const Json& model = delivered ? root.at("delivered") : fit;
+  const Json model = DeliveredPart(root);
   result.in_space = model.contains("rms_point_m");
   result.fitted = Told(model, "rms_point_m", "rms_m");
   result.fitted_max = Number(model, "max_point_m");
@@ -83,26 +80,21 @@ ReadResult FromJson(const Json& root) {
 
 std::optional<ReadResult> ReadResultFolder(const std::string& folder, Diagnostics* diagnostics) {
   const std::string file = (std::filesystem::path(folder) / "result.json").string();
-  const std::optional<std::string> text = ReadTextFile(file, diagnostics);
-  if (!text) return std::nullopt;
-  try {
-    const Json root = Json::parse(*text);
-    if (root.value("best_fit", -1) < 0) {
-      diagnostics->Error(
-          {file, 0, 0},
-          "holds no usable result, so there is nothing to compare; report.txt beside "
-          "it says why");
-      return std::nullopt;
-    }
-    ReadResult result = FromJson(root);
-    result.folder = folder;
-    return result;
-  } catch (const Json::exception& error) {
-    diagnostics->Error(
-        {file, 0, 0},
-        fmt::format("is no result.json of this program ({}); run ceres_dhcal again", error.what()));
-    return std::nullopt;
-  }
+  std::optional<ReadResult> result;
+  TakeFromResult(
+      file,
+      [&](const Json& root) {
+        if (root.value("best_fit", -1) < 0) {
+          diagnostics->Error({file},
+                             "holds no usable result, so there is nothing to compare; report.txt "
+                             "beside it says why");
+          return;
+        }
+        result = FromJson(root);
+        result->folder = folder;
+      },
+      diagnostics);
+  return result;
 }
 
 }  // namespace dhcal

@@ -3,25 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/kinematics/slots.h"
+#include "problems/formats/result/result_reader.h"
 
 namespace dhcal {
 namespace {
 
 using Json = nlohmann::json;
-
-/// The part of result.json that describes what calibrated.yaml holds; null where there is none.
-Json DeliveredPart(const Json& root) {
-  if (root.contains("delivered")) return root.at("delivered");
-  const int best = root.value("best_fit", -1);
-  return best < 0 ? Json() : root.at("fits").at(static_cast<std::size_t>(best));
-}
 
 ParameterCovariance FromPart(const Json& part) {
   ParameterCovariance known;
@@ -69,16 +62,15 @@ std::optional<ParameterCovariance> ReadCovariance(const std::string& result_json
                                                   Diagnostics* diagnostics) {
   std::error_code status;
   if (!std::filesystem::exists(result_json, status)) return std::nullopt;
-  try {
-    std::ifstream stream(result_json);
-    const Json part = DeliveredPart(Json::parse(stream));
-    if (part.is_null() || !part.contains("covariance")) return std::nullopt;
-    return FromPart(part);
-  } catch (const Json::exception& error) {
-    diagnostics->Error({result_json},
-                       fmt::format("this is no result.json of ceres_dhcal ({})", error.what()));
-    return std::nullopt;
-  }
+  std::optional<ParameterCovariance> covariance;
+  TakeFromResult(
+      result_json,
+      [&](const Json& root) {
+        const Json part = DeliveredPart(root);
+        if (!part.is_null() && part.contains("covariance")) covariance = FromPart(part);
+      },
+      diagnostics);
+  return covariance;
 }
 
 std::optional<Eigen::VectorXd> ExpectedErrors(const ProblemSpec& spec,

@@ -65,7 +65,7 @@ std::vector<Eigen::Isometry3d> NominalPoses(const ProblemSpec& nominal,
   std::vector<Eigen::Isometry3d> poses;
   for (int row = 0; row < rows.num_rows(); ++row) {
     const std::vector<Target>& targets = nominal.robot.targets;
-    Eigen::Isometry3d X_TQ = targets.empty() ? nominal.robot.X_TQ : targets.front().X_TQ;
+    Eigen::Isometry3d X_TQ = nominal.robot.first_X_TQ();
     for (const Target& target : targets) {
       const bool named =
           !rows.target_idx.empty() &&

@@ -9,6 +9,7 @@
 
 #include "core/report/format.h"
 #include "problems/diagnosis/calibrate.h"
+#include "problems/formats/result/result_reader.h"
 
 namespace dhcal {
 namespace {
@@ -71,23 +72,22 @@ Table PairTable(const SplitPlan& plan) {
 
 std::optional<std::vector<Alternative>> ReadAlternatives(const std::string& result_json,
                                                          Diagnostics* diagnostics) {
-  std::ifstream stream(result_json);
-  if (!stream) {
+  if (!std::ifstream(result_json)) {
     diagnostics->Error({result_json}, "cannot be opened; give the result.json of a result folder");
     return std::nullopt;
   }
-  try {
-    const Json root = Json::parse(stream);
-    if (!root.contains("diagnosis")) {
-      diagnostics->Error({result_json}, "has no diagnosis; run ceres_dhcal with one");
-      return std::nullopt;
-    }
-    return AlternativesOf(HypothesesOf(root.at("diagnosis")));
-  } catch (const Json::exception& error) {
-    diagnostics->Error({result_json},
-                       fmt::format("this is no result.json of ceres_dhcal ({})", error.what()));
-    return std::nullopt;
-  }
+  std::optional<std::vector<Alternative>> alternatives;
+  TakeFromResult(
+      result_json,
+      [&](const Json& root) {
+        if (root.contains("diagnosis")) {
+          alternatives = AlternativesOf(HypothesesOf(root.at("diagnosis")));
+        } else {
+          diagnostics->Error({result_json}, "has no diagnosis; run ceres_dhcal with one");
+        }
+      },
+      diagnostics);
+  return alternatives;
 }
 
 std::vector<Alternative> DiagnosedAlternatives(const ProblemSpec& spec, const Recording& own) {

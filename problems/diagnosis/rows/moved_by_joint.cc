@@ -59,14 +59,15 @@ Window LeastLikely(const std::vector<int>& rank, std::size_t readings) {
 }
 
 /// Marks the readings of all such places of one joint.
-void MarkPlaces(const JointAtReadings& joint,
+void MarkPlaces(const std::vector<JointAtReadings>& joints,
+                int joint,
                 std::vector<bool> along,
-                const std::vector<JointAtReadings>& joints,
                 std::vector<int>* moved) {
+  const VectorXd& place = joints[static_cast<std::size_t>(joint)].place;
   std::vector<std::size_t> order(along.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return joint.place[static_cast<Index>(a)] < joint.place[static_cast<Index>(b)];
+    return place[static_cast<Index>(a)] < place[static_cast<Index>(b)];
   });
   while (true) {
     std::vector<int> rank;
@@ -78,7 +79,7 @@ void MarkPlaces(const JointAtReadings& joint,
     if (!(static_cast<double>(joints.size()) * window.p < kChanceOfAPlace)) return;
     for (std::size_t k = window.first; k <= window.last; ++k) {
       const std::size_t reading = order[static_cast<std::size_t>(rank[k])];
-      (*moved)[reading] = static_cast<int>(&joint - joints.data());
+      (*moved)[reading] = joint;
       along[reading] = false;
     }
   }
@@ -90,8 +91,8 @@ std::vector<int> MovedByAJoint(const std::vector<JointAtReadings>& joints,
                                const VectorXd& residuals,
                                const std::vector<bool>& off) {
   std::vector<int> moved(off.size(), -1);
-  for (const JointAtReadings& joint : joints) {
-    MarkPlaces(joint, AlongMotion(joint, residuals, off), joints, &moved);
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    MarkPlaces(joints, static_cast<int>(k), AlongMotion(joints[k], residuals, off), &moved);
   }
   return moved;
 }
