@@ -35,7 +35,7 @@ int TakeFlagsAndRun(int argc, char** argv, const FlagProgram& program) {
 
 std::string TakeFlags(int argc, char** argv, const Flags& flags) {
   for (int k = 1; k < argc; ++k) {
-    const std::string argument = argv[k];
+    std::string argument = argv[k];
     if (argument.rfind("--", 0) != 0) return argument;
     const std::size_t equals = argument.find('=');
     std::string name = argument.substr(0, equals).substr(2);
