@@ -5,6 +5,8 @@
 // s_j = sense of the last motion (the `dir` columns, else from the previous row of the run). With
 // the setting flank = 1 gravity preloads the gear and decides: s_j = sign of gravity's torque where
 // that is beyond friction_Nm; within, the last motion decides, and the link stays behind the motor.
+// Where no masses are known the load's sense needs no more than the direction of one moment: of
+// 1 kg m in link moment_link, across the axis of that link's joint, moment_deg from the link's x.
 // Friction wind-up looks the same (the residual friction torque changes sign with the approach):
 // nothing in static readings tells the two apart, so the finding names both.
 // b < 0 by approach direction is no play: the controller overcompensates, or it is wind-up of the
@@ -19,6 +21,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/units.h"
 #include "core/physics/columns.h"
 #include "core/physics/gravity.h"
 
@@ -28,14 +31,40 @@ namespace {
 constexpr double kTypicalAngle = 2e-4;   // [rad]
 constexpr double kTypicalLength = 5e-5;  // [m] of a rack or a ball screw
 constexpr char kFriction[] = "friction_Nm";
+constexpr char kMomentLink[] = "moment_link";
+constexpr char kMomentDegrees[] = "moment_deg";
 
 bool ByTorque(const EffectRequest& request) { return request.setting("flank", 0) != 0; }
+
+/// The link [from 0] whose moment stands for all masses, or -1.
+int MomentLink(const EffectRequest& request) {
+  return static_cast<int>(request.setting(kMomentLink, 0)) - 1;
+}
+
+MassCase OneMoment(const PhysicsContext& c, const EffectRequest& request) {
+  const int link = MomentLink(request);
+  const double angle = request.setting(kMomentDegrees, 0) * kDegree;
+  // A link's x stands across the axis of its joint in both conventions.
+  const Eigen::Vector3d axis = c.X_BL(0, link).linear().transpose() * c.axis(0, link);
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+  MassCase one;
+  one.mass.setZero(c.num_joints() + 1);
+  one.moment.setZero(3, c.num_joints() + 1);
+  one.moment.col(link) = std::cos(angle) * x + std::sin(angle) * axis.cross(x);
+  return one;
+}
+
+Eigen::VectorXd Torque(const PhysicsContext& c, const EffectRequest& request) {
+  const int joint = JointIndex(request);
+  return GravityTorque(
+      c, MomentLink(request) >= 0 ? OneMoment(c, request) : MassCases(c, joint).front(), joint);
+}
 
 Eigen::VectorXd Flank(const PhysicsContext& c, const EffectRequest& request) {
   const int joint = JointIndex(request);
   if (!ByTorque(request)) return c.direction().col(joint);
   const double friction = request.setting(kFriction, 0);
-  Eigen::VectorXd flank = GravityTorque(c, MassCases(c, joint).front(), joint);
+  Eigen::VectorXd flank = Torque(c, request);
   for (Eigen::Index row = 0; row < flank.size(); ++row) {
     const double torque = flank[row];
     flank[row] = torque > friction    ? 1.0
@@ -50,8 +79,7 @@ Eigen::VectorXd Flank(const PhysicsContext& c, const EffectRequest& request) {
 /// torques there are stand for it.
 std::vector<EffectRequest> WithFriction(const PhysicsContext& c, const EffectRequest& loaded) {
   constexpr double kShares[] = {0.2, 0.4, 0.6, 0.8};
-  const int joint = JointIndex(loaded);
-  Eigen::VectorXd torque = GravityTorque(c, MassCases(c, joint).front(), joint).cwiseAbs();
+  Eigen::VectorXd torque = Torque(c, loaded).cwiseAbs();
   std::sort(torque.begin(), torque.end());
   std::vector<EffectRequest> variants;
   for (const double share : kShares) {
@@ -67,6 +95,12 @@ std::vector<EffectRequest> WithFriction(const PhysicsContext& c, const EffectReq
 std::string Decides(const EffectRequest& request) {
   if (!ByTorque(request)) return "the approach direction";
   const double friction = request.setting(kFriction, 0);
+  if (MomentLink(request) >= 0) {
+    return fmt::format("the sign of a gravity torque that was found with it (moment of link {} at "
+                       "{:.0f} deg from its x)",
+                       MomentLink(request) + 1,
+                       request.setting(kMomentDegrees, 0));
+  }
   if (friction == 0) return "the sign of its gravity torque";
   return fmt::format(
       "the sign of its gravity torque, and within {:.2g} N m on the approach direction", friction);
@@ -80,14 +114,24 @@ class BacklashEffect final : public Effect {
             "d theta_j = (b / 2) s_j",
             "width [rad], of a prismatic joint [m]",
             {{"flank", "0 = approach direction, 1 = sign of gravity torque"},
-             {kFriction, "with flank = 1: below it the approach direction decides [N m]"}},
+             {kFriction, "with flank = 1: below it the approach direction decides [N m]"},
+             {kMomentLink, "with flank = 1 and no masses: the link whose 1 kg m loads the joint"},
+             {kMomentDegrees, "its direction about that link's joint axis, from its x [deg]"}},
             "dir<j>, or poses in the order of the motion; robot.links with flank = 1",
             "0.1-0.3 mrad [PHYSICS.md B1, F1]"};
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
     if (std::string wrong = CheckJoint(c, request); !wrong.empty()) return wrong;
     if (ByTorque(request)) {
-      if (c.robot().links.empty()) return "the masses (robot.links) are not given";
+      if (const int link = MomentLink(request); link >= 0) {
+        if (link < JointIndex(request) || link >= c.num_joints() || !c.revolute(link)) {
+          return fmt::format("moment_link: {} is no turning link that joint {} carries",
+                             link + 1,
+                             request.joint);
+        }
+      } else if (c.robot().links.empty()) {
+        return "the masses (robot.links) are not given";
+      }
       if (!GravityLoads(c, JointIndex(request))) return "gravity does not load this joint";
     }
     const Eigen::VectorXd flank = Flank(c, request);

@@ -12,6 +12,7 @@
 #include "core/physics/gravity.h"
 #include "core/physics/registry.h"
 #include "core/physics/step.h"
+#include "problems/diagnosis/hypotheses/loads.h"
 
 namespace dhcal {
 namespace {
@@ -25,9 +26,6 @@ constexpr int kPosesPerKnot = 20;
 constexpr int kFewestKnots = 4;
 constexpr int kOrdersOfAScan = 150;
 constexpr char kColumn[] = "column";  // setting
-// Of the largest load: a guess puts the last links' masses on their axes, where they load nothing,
-// whatever the true ones do. Below, moments are fitted instead.
-constexpr double kLeastGuess = 0.02;
 // The names that search this scan: a line of free order is chosen from all of them.
 constexpr double kHighestWholeOrder = 7;
 
@@ -35,7 +33,8 @@ constexpr double kHighestWholeOrder = 7;
 bool IsScannedSetting(const std::string& name) {
   return name == "at_s" || name == "at_row" || name == "time_constant_s" ||
          name == "soft_torque_Nm" || name == "knot_deg" || name == "measured_torque" ||
-         name == "flank" || name == "friction_Nm" || name == "free_masses";
+         name == "flank" || name == "friction_Nm" || name == "free_masses" ||
+         name == kMomentLink || name == kMomentDegrees;
 }
 
 std::string IdOf(const EffectRequest& request) {
@@ -77,13 +76,6 @@ std::vector<EffectRequest> Places(const std::vector<EffectRequest>& requests,
 bool UsableTorque(const PhysicsContext& c, const Effect& effect, EffectRequest request) {
   request.settings["measured_torque"] = 1;
   return effect.NotTestable(c, request).empty();
-}
-
-/// Root mean square of gravity's torque about a joint [N m or N] under the masses assumed.
-double GuessedLoad(const PhysicsContext& c, int joint) {
-  if (!GravityLoads(c, joint - 1)) return 0;
-  const Eigen::VectorXd torque = GravityTorque(c, MassCases(c, joint - 1).front(), joint - 1);
-  return std::sqrt(torque.squaredNorm() / static_cast<double>(torque.size()));
 }
 
 std::vector<EffectRequest> AllPairs(const PhysicsContext& c, const std::string& effect) {
@@ -180,6 +172,11 @@ std::vector<EffectRequest> FormsOf(const Effect& effect,
   if (description.is_curve) return CurveForms(c, description.name, options.num_poses);
   if (TakesSetting(effect, "driver_joint")) return AllPairs(c, description.name);
   std::vector<EffectRequest> requests = effect.Candidates(c);
+  if (!options.masses_given && TakesSetting(effect, kMomentLink)) {
+    for (const EffectRequest& form : WithMoments(c, options.near, requests)) {
+      requests.push_back(form);
+    }
+  }
   const std::string step = StepSetting(c);
   if (TakesSetting(effect, step)) {
     const std::vector<EffectRequest> places = Places(requests, step);
@@ -268,10 +265,7 @@ Item NamedItem(const PhysicsContext& c, const EffectRequest& request, int varian
 
 std::vector<Item> NamedItems(const PhysicsContext& c, const LibraryOptions& options) {
   std::vector<Item> items;
-  double least_load = 0;
-  for (int joint = 1; joint <= c.num_joints() && !options.masses_given; ++joint) {
-    least_load = std::max(least_load, kLeastGuess * GuessedLoad(c, joint));
-  }
+  const GuessedLoads guessed(c);
   for (const Effect* const effect : AllEffects()) {
     const EffectDescription description = effect->Describe();
     const auto& names = options.names;
@@ -295,8 +289,11 @@ std::vector<Item> NamedItems(const PhysicsContext& c, const LibraryOptions& opti
       const bool guessed_load = !options.masses_given && request.setting("measured_torque", 0) == 0;
       const bool compliance = guessed_load && description.name == "joint_compliance";
       if (compliance && UsableTorque(c, *effect, request)) continue;
-      const bool rests_on_guess = compliance || (guessed_load && request.setting("flank", 0) != 0);
-      const bool nothing_guessed = rests_on_guess && GuessedLoad(c, request.joint) < least_load;
+      const bool moment = request.setting(kMomentLink, 0) != 0;
+      if (moment && (options.masses_given || guessed.tells(request.joint))) continue;
+      const bool rests_on_guess =
+          compliance || (guessed_load && !moment && request.setting("flank", 0) != 0);
+      const bool nothing_guessed = rests_on_guess && !guessed.tells(request.joint);
       if (nothing_guessed && !compliance) continue;
       forms.push_back(request);
       if (nothing_guessed) forms.back().settings["free_masses"] = 1;
