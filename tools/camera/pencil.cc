@@ -28,12 +28,20 @@ struct PieceCost {
   }
 };
 
+/// The numbers of pencil and lens, to be differentiated by.
+struct JetNumbers {
+  Jet p[kPencilNumbers], lens[kLensNumbers];
+
+  JetNumbers(const Pencil& pencil, const Lens& of) {
+    for (int k = 0; k < kPencilNumbers; ++k) p[k] = Jet(pencil.p[k], k);
+    for (int k = 0; k < kLensNumbers; ++k) lens[k] = Jet(of.numbers[k], kPencilNumbers + k);
+  }
+};
+
 /// Error of a piece [px] and its derivatives by pencil and lens.
 Jet ErrorOf(const Pencil& pencil, const Lens& lens, const NumberedPiece& at) {
-  Jet p[kPencilNumbers], numbers[kLensNumbers];
-  for (int k = 0; k < kPencilNumbers; ++k) p[k] = Jet(pencil.p[k], k);
-  for (int k = 0; k < kLensNumbers; ++k) numbers[k] = Jet(lens.numbers[k], kPencilNumbers + k);
-  return PieceError(p, numbers, lens.scale, at) / at.per_px;
+  const JetNumbers by(pencil, lens);
+  return PieceError(by.p, by.lens, lens.scale, at) / at.per_px;
 }
 
 Eigen::Vector2d Middle(const RulingPiece& piece) { return 0.5 * (piece.first + piece.second); }
@@ -151,8 +159,13 @@ double ReadingSigma(const Pencil& pencil,
   const auto count = static_cast<double>(pieces.size());
   together *= rulings / std::max(1.0, rulings - 3);
   const double apart = first[0] * squares / std::max(1.0, count - kPencilNumbers);
-  // Where the fit moves when the lens' numbers do.
-  const LensNumbers moved = -(first.transpose() * by_lens).transpose();
+  // What the lens' numbers do to x at a point of the image that stays: by the fit and by
+  // themselves.
+  const JetNumbers by(pencil, lens);
+  const Jet at_point =
+      PencilPlace(by.p, FromCentre(lens.centre(), by.lens, lens.scale), lens.scale);
+  const LensNumbers moved =
+      at_point.v.tail<kLensNumbers>() - (first.transpose() * by_lens).transpose();
   return std::sqrt(std::max(together, apart) + moved.dot(lens.covariance * moved));
 }
 

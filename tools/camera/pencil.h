@@ -76,8 +76,10 @@ std::vector<double> PencilErrors(const Pencil& pencil,
                                  const Lens& lens,
                                  const std::vector<NumberedPiece>& pieces);
 
-/// Standard deviation of p0 [pitches]: rulings err independently, the pieces of one alike (sandwich
-/// by rulings), and what the lens' covariance adds.
+/// Standard deviation of x at the point of the image that is the lens' centre [pitches]: rulings
+/// err independently, the pieces of one alike (sandwich by rulings), and what the lens' covariance
+/// adds. That the true centre may be another point is no part of it: all readings are about this
+/// one.
 double ReadingSigma(const Pencil& pencil,
                     const Lens& lens,
                     const std::vector<NumberedPiece>& pieces);
