@@ -2,7 +2,7 @@
 #ifndef DHCAL_TOOLS_CAMERA_CALIBRATE_LENS_H_
 #define DHCAL_TOOLS_CAMERA_CALIBRATE_LENS_H_
 
-#include <functional>
+#include <vector>
 
 #include "tools/camera/rulings.h"
 #include "tools/camera/straighten.h"

@@ -117,7 +117,7 @@ std::string RowDoubt(const RulerReading& reading,
     return fmt::format(
         "shows {} rulings in a row, but a reading takes at least {}", rulings, options.fewest);
   }
-  const std::string gap = GapDoubt(reading, lens, options.longest_gap);
+  std::string gap = GapDoubt(reading, lens, options.longest_gap);
   if (!gap.empty()) return gap;
   const int first = reading.rulings.front().number, last = reading.rulings.back().number;
   if (rulings < kLeastFilled * (last - first + 1)) {

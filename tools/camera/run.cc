@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -12,15 +11,14 @@
 
 #include "core/base/parallel.h"
 #include "core/base/text.h"
-#include "core/io/csv_text.h"
 #include "core/io/whole_file.h"
-#include "core/math/statistics.h"
 #include "tools/camera/calibrate_lens.h"
 #include "tools/camera/count.h"
 #include "tools/camera/gray_image.h"
 #include "tools/camera/lens_file.h"
 #include "tools/camera/readings.h"
 #include "tools/camera/settings.h"
+#include "tools/camera/tables.h"
 
 namespace dhcal {
 namespace {
@@ -127,13 +125,13 @@ std::vector<double> CoarseOf(const RulerSettings& settings,
 /// Ruler coordinates [mm], NaN where there is none; errors (with `skip`, warnings) say why.
 std::vector<double> RulerPlaces(const RulerCommand& command,
                                 const RulerSettings& settings,
-                                const std::vector<SeenImage>& images,
+                                const std::vector<RulerReading>& found,
                                 const std::vector<double>& coarse,
                                 const std::vector<int>& groups,
                                 Diagnostics* diagnostics) {
   std::vector<ImagePlace> places;
-  for (std::size_t k = 0; k < images.size(); ++k) {
-    const RulerReading& reading = images[k].reading;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const RulerReading& reading = found[k];
     places.push_back({reading.refusal.empty(),
                       reading.place,
                       reading.px_per_pitch,
@@ -143,10 +141,9 @@ std::vector<double> RulerPlaces(const RulerCommand& command,
   const std::vector<CountedPlace> counted =
       CountAlong(places, settings.coarse_error / settings.pitch);
   std::vector<double> ruler;
-  for (std::size_t k = 0; k < images.size(); ++k) {
+  for (std::size_t k = 0; k < found.size(); ++k) {
     ruler.push_back(counted[k].place * settings.pitch);
-    const std::string& why =
-        images[k].reading.refusal.empty() ? counted[k].doubt : images[k].reading.refusal;
+    const std::string& why = found[k].refusal.empty() ? counted[k].doubt : found[k].refusal;
     if (why.empty()) continue;
     if (command.skip) {
       diagnostics->Warning({command.images[k]}, why + "; its row is left blank");
@@ -155,85 +152,6 @@ std::vector<double> RulerPlaces(const RulerCommand& command,
     }
   }
   return ruler;
-}
-
-/// What is odd about readings that are good.
-void Remark(const RulerCommand& command,
-            const std::vector<SeenImage>& images,
-            Diagnostics* diagnostics) {
-  std::vector<double> widths, errors;
-  for (const SeenImage& image : images) {
-    if (!image.reading.refusal.empty()) continue;
-    widths.push_back(image.reading.width);
-    errors.push_back(image.reading.error_px);
-  }
-  if (widths.empty()) return;
-  if (Median(widths) > 0.55) {
-    diagnostics->Warning({"command line"},
-                         fmt::format("the {} lines are wider than what is between them; if the "
-                                     "rulings are the others, say --rulings {}",
-                                     command.rulings,
-                                     command.rulings == "dark" ? "light" : "dark"));
-  }
-  if (command.lens.empty() && Median(errors) > 0.1) {
-    diagnostics->Warning(
-        {"command line"},
-        fmt::format("rulings lie {:.2f} px beside straight, even rows: calibrate the "
-                    "lens (--calibrate_lens) and give it with --lens",
-                    Median(errors)));
-  }
-}
-
-std::string DetailsText(const RulerCommand& command,
-                        const std::vector<SeenImage>& images,
-                        const std::vector<double>& ruler,
-                        double pitch) {
-  CsvText csv;
-  for (const char* const name : {"image",
-                                 "ruler_mm",
-                                 "ruler_sigma_mm",
-                                 "rulings",
-                                 "missing",
-                                 "set_aside",
-                                 "scatter_px",
-                                 "px_per_pitch"}) {
-    csv.Label(name);
-  }
-  csv.EndRow();
-  const auto rounded = [](double value) { return std::round(value * 1e6) / 1e6; };
-  for (std::size_t k = 0; k < images.size(); ++k) {
-    const RulerReading& reading = images[k].reading;
-    csv.Label(command.images[k]);
-    if (!std::isfinite(ruler[k])) {
-      for (int blank = 0; blank < 7; ++blank) csv.Blank();
-    } else {
-      csv.Number(rounded(ruler[k]));
-      csv.Number(rounded(reading.sigma * pitch));
-      csv.Integer(static_cast<int>(reading.rulings.size()));
-      csv.Integer(reading.missing);
-      csv.Integer(reading.num_set_aside);
-      csv.Number(std::round(reading.error_px * 1e4) / 1e4);
-      csv.Number(std::round(reading.px_per_pitch * 1e3) / 1e3);
-    }
-    csv.EndRow();
-  }
-  return csv.Take();
-}
-
-std::string Summary(const std::vector<SeenImage>& images,
-                    const std::vector<double>& ruler,
-                    double pitch) {
-  std::vector<double> sigmas;
-  for (std::size_t k = 0; k < images.size(); ++k) {
-    if (std::isfinite(ruler[k])) sigmas.push_back(images[k].reading.sigma * pitch);
-  }
-  return fmt::format(
-      "{} of {} images read; sigma of a reading {:.5f} mm (median), {:.5f} mm "
-      "(largest), without the ruler's own errors\n",
-      sigmas.size(),
-      images.size(),
-      Median(sigmas),
-      *std::max_element(sigmas.begin(), sigmas.end()));
 }
 
 /// The tables, or the first alone where there is a file for nothing else.
@@ -272,7 +190,7 @@ int ReadTheRuler(const RulerCommand& command,
         "it, or give --coarse or --step_mm");
   }
   if (!diagnostics->ok()) return kRulerBadInput;
-  const std::vector<SeenImage> images = SeeAll(
+  std::vector<SeenImage> images = SeeAll(
       command.images, settings.threads, diagnostics, [&](const cv::Mat& gray, SeenImage* image) {
         image->reading =
             ReadRulings(gray, lens ? *lens : PlainLens(gray.cols, gray.rows), settings.ruler);
@@ -280,10 +198,12 @@ int ReadTheRuler(const RulerCommand& command,
   CheckSizes(images, command, lens, diagnostics);
   if (!diagnostics->ok()) return kRulerBadInput;
 
+  std::vector<RulerReading> found;
+  for (SeenImage& image : images) found.push_back(std::move(image.reading));
   const std::vector<double> ruler = RulerPlaces(command,
                                                 settings,
-                                                images,
-                                                CoarseOf(settings, readings, coarse, images.size()),
+                                                found,
+                                                CoarseOf(settings, readings, coarse, found.size()),
                                                 readings ? readings->groups : std::vector<int>(),
                                                 diagnostics);
   const auto lost =
@@ -294,14 +214,14 @@ int ReadTheRuler(const RulerCommand& command,
                        "(wrong --pitch_mm, --direction or coarse positions?)");
   }
   if (!diagnostics->ok()) return kRulerBadInput;
-  Remark(command, images, diagnostics);
+  Remark(command, found, diagnostics);
   WriteTables(command,
               readings ? RecordingText(*readings, ruler) : "",
-              DetailsText(command, images, ruler, settings.pitch),
+              DetailsText(command, found, ruler, settings.pitch),
               out,
               diagnostics);
   if (!diagnostics->ok()) return kRulerBadInput;
-  messages << Summary(images, ruler, settings.pitch);
+  messages << Summary(found, ruler, settings.pitch);
   return lost > 0 ? kRulerSkipped : kRulerOk;
 }
 

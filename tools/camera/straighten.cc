@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -65,7 +66,7 @@ bool FitAll(double scatter, bool lens_free, std::vector<Row>* rows, Lens* lens) 
                                new CentreCost{PriorCentre(*lens), scatter / CentrePrior(*lens)}),
                            nullptr,
                            lens->numbers.data());
-  auto* const ordering = new ceres::ParameterBlockOrdering;
+  const auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
   for (Row& row : *rows) {
     for (NumberedPiece& at : row.pieces) {
       at.per_px = row.pencil.PerPixel(0.5 * (at.piece.first + at.piece.second), *lens);
@@ -83,7 +84,7 @@ bool FitAll(double scatter, bool lens_free, std::vector<Row>* rows, Lens* lens) 
   if (!lens_free) problem.SetParameterBlockConstant(lens->numbers.data());
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_SCHUR;
-  options.linear_solver_ordering.reset(ordering);
+  options.linear_solver_ordering = ordering;
   options.max_num_iterations = 50;
   options.function_tolerance = 1e-10;
   options.num_threads = 1;

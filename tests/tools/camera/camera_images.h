@@ -3,6 +3,7 @@
 #define DHCAL_TESTS_TOOLS_CAMERA_CAMERA_IMAGES_H_
 
 #include <cmath>
+#include <vector>
 
 #include <Eigen/QR>
 #include <opencv2/core.hpp>
