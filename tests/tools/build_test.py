@@ -64,6 +64,15 @@ class BuildTest(unittest.TestCase):
         self.assertIn("tools/dhcal_study.cc", commands)
         self.assertFalse([source for source in commands if "prove" in source or "proof" in source])
 
+    def test_needs_no_camera(self):
+        commands = compile_commands("-DDHCAL_CAMERA=OFF")["Release"]
+        self.assertIn("tools/ceres_dhcal.cc", commands)
+        self.assertFalse([source for source in commands if "camera" in source or "ruler" in source])
+        nowhere = compile_commands("-DOPENCV_INCLUDE_DIR=OPENCV_INCLUDE_DIR-NOTFOUND",
+                                   "-DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON",
+                                   "-DCMAKE_IGNORE_PATH=/usr/include/opencv4")["Release"]
+        self.assertFalse([source for source in nowhere if "camera" in source or "ruler" in source])
+
 
 if __name__ == "__main__":
     CMAKE = sys.argv.pop(1)

@@ -1,6 +1,7 @@
 # What `cmake --install` lays where, and the Debian packages (`cpack -G DEB`): component `runtime`
 # (programs, man pages, completion, templates, cases) and `development` (headers, libraries,
-# find_package). Judges of the program are no part of it.
+# find_package). What needs OpenCV or Python is a component of its own and in no package, so that the
+# packages do not need them. Judges of the program are no part of it.
 
 set(packaging "${PROJECT_SOURCE_DIR}/tools/packaging")
 set(programs ceres_dhcal dhcal_simulate dhcal_compensate dhcal_compare)
@@ -18,10 +19,23 @@ install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CHANGELOG
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${doc}" RENAME copyright
         COMPONENT runtime)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/third_party_notes" DESTINATION "${doc}" COMPONENT runtime)
+if(DHCAL_CAMERA)
+  install(TARGETS dhcal_ruler RUNTIME COMPONENT camera)
+  list(APPEND programs dhcal_ruler)
+endif()
+# component_of(<variable> <program>)
+function(component_of variable program)
+  set(component runtime)
+  if(program STREQUAL "dhcal_ruler")
+    set(component camera)
+  endif()
+  set(${variable} ${component} PARENT_SCOPE)
+endfunction()
 set(completions "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
 foreach(program IN LISTS programs)
+  component_of(component ${program})
   install(FILES "${packaging}/completion.bash" DESTINATION "${completions}" RENAME "${program}"
-          COMPONENT runtime)
+          COMPONENT ${component})
 endforeach()
 
 # Man pages, where help2man is there.
@@ -38,10 +52,11 @@ if(DHCAL_HELP2MAN)
       DEPENDS ${program} "${packaging}/man_page.cmake"
       VERBATIM)
     list(APPEND pages "${page}")
+    component_of(component ${program})
+    install(FILES "${page}" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT ${component})
   endforeach()
   file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/man")
   add_custom_target(dhcal_man_pages ALL DEPENDS ${pages})
-  install(FILES ${pages} DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT runtime)
 else()
   message(STATUS "help2man is not there: no man pages")
 endif()

@@ -20,8 +20,8 @@ target_precompile_headers(dhcal_core PRIVATE ${headers})
 foreach(target IN ITEMS dhcal_residuals dhcal_problems dhcal_tools_support dhcal_tools_study
                       dhcal_tools_transfer dhcal_tools_compensate dhcal_tools_compare
                       dhcal_tools_convert dhcal_tools_plan
-                      dhcal_tools_proof)
-  if(TARGET ${target}) # the proof's, only with OpenSSL
+                      dhcal_tools_proof dhcal_tools_camera)
+  if(TARGET ${target}) # the proof's, only with OpenSSL; the camera's, with OpenCV
     target_precompile_headers(${target} REUSE_FROM dhcal_core)
   endif()
 endforeach()
@@ -33,7 +33,7 @@ if(DHCAL_BUILD_TESTS)
     ${headers}
     <gmock/gmock.h>
     <gtest/gtest.h>)
-  foreach(target IN ITEMS core_tests residuals_tests problems_tests tools_tests)
+  foreach(target IN ITEMS core_tests residuals_tests problems_tests tools_tests camera_tests)
     if(TARGET ${target})
       target_precompile_headers(${target} REUSE_FROM dhcal_test_support)
     endif()

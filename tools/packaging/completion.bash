@@ -9,6 +9,8 @@ _ceres_dhcal() {
     --method) choices="svd_gauss_newton levenberg_marquardt both" ;;
     --diagnosis) choices="auto always never" ;;
     --frame) choices="base world" ;;
+    --direction) choices="right left down up" ;;
+    --rulings) choices="dark light" ;;
     --out | --data_dir) pattern=/ ;;
   esac
   if [ -z "$choices" ] && [ "${COMP_WORDS[1]}" = init ] && [ "$pattern" = '*' ]; then
@@ -29,4 +31,5 @@ _ceres_dhcal() {
   COMPREPLY+=("${paths[@]}")
 }
 
-complete -o filenames -F _ceres_dhcal ceres_dhcal dhcal_simulate dhcal_compensate dhcal_compare
+complete -o filenames -F _ceres_dhcal ceres_dhcal dhcal_simulate dhcal_compensate dhcal_compare \
+  dhcal_ruler

@@ -36,7 +36,11 @@ int TakeFlagsAndRun(int argc, char** argv, const FlagProgram& program) {
 std::string TakeFlags(int argc, char** argv, const Flags& flags) {
   for (int k = 1; k < argc; ++k) {
     std::string argument = argv[k];
-    if (argument.rfind("--", 0) != 0) return argument;
+    if (argument.rfind("--", 0) != 0) {
+      if (flags.words == nullptr) return argument;
+      flags.words->push_back(argument);
+      continue;
+    }
     const std::size_t equals = argument.find('=');
     std::string name = argument.substr(0, equals).substr(2);
     std::replace(name.begin(), name.end(), '-', '_');

@@ -12,10 +12,11 @@ namespace dhcal {
 struct Flags {
   std::vector<std::pair<std::string, std::string*>> texts;  // "--name value", "--name=value"
   std::vector<std::pair<std::string, bool*>> switches;      // "--name"
+  std::vector<std::string>* words = nullptr;                // what is no flag; none where null
 };
 
 /// Takes the flags off a command line; '-' within a name counts as '_'. Returns the argument that
-/// is no flag or lacks its value, "" where there is none.
+/// is no flag (and no word, where there may be some) or lacks its value, "" where there is none.
 std::string TakeFlags(int argc, char** argv, const Flags& flags);
 
 struct FlagProgram {

@@ -43,5 +43,18 @@ TEST(Flags, OthersAreNamed) {
   EXPECT_EQ(Take({"--out", "a", "b"}).wrong, "b");
 }
 
+TEST(Flags, WordsAreTakenWhereTheProgramHasSome) {
+  std::vector<std::string> arguments = {"program", "a.png", "--split", "b.png"}, words;
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  bool split = false;
+  Flags flags;
+  flags.switches = {{"split", &split}};
+  flags.words = &words;
+  EXPECT_EQ(TakeFlags(static_cast<int>(argv.size()), argv.data(), flags), "");
+  EXPECT_EQ(words, (std::vector<std::string>{"a.png", "b.png"}));
+  EXPECT_TRUE(split);
+}
+
 }  // namespace
 }  // namespace dhcal
