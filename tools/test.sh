@@ -12,11 +12,11 @@ Installs what is missing, then checks in this order:
   citations   every document and section that is cited exists
   includes    each file includes what it uses of the standard library (cpplint)
   release     release build without warnings, and its tests
-  tidy        clang-tidy has no finding
+  tidy        clang-tidy has no finding (with --slow its path analysis, too)
   asan-ubsan  build with the address and undefined-behaviour sanitizers, and its tests
 
   --quick  only the release build and its tests
-  --slow   runs the slow tests of the release build, too
+  --slow   runs the slow tests of the release build and clang-tidy's path analysis, too
 
 A step that fails does not keep the others from running. Exit status: 0 = all passed, 1 = not.
 TEXT
@@ -77,7 +77,9 @@ build() {
 
 # tidy: the release build compiles in batches, so the commands of single files are those of `dev`.
 tidy() {
-  configure dev && python3 tools/tidy.py --build build/dev --jobs "$jobs"
+  local options=(--no-analyzer)
+  [ "$slow" = no ] || options=()
+  configure dev && python3 tools/tidy.py --build build/dev --jobs "$jobs" "${options[@]}"
 }
 
 # run_tests <test preset>: runs the tests and keeps CTest's summary for the end.

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs clang-tidy over the .cc files of core, residuals, problems and tools, as far as needed.
 
-usage: tools/tidy.py [--build DIR] [--jobs N] [--batch N] [--no-cache] [FILE...]
+usage: tools/tidy.py [--build DIR] [--jobs N] [--batch N] [--no-cache] [--no-analyzer] [FILE...]
 
 DIR (default build/dev) must be configured, without unity builds: its compile_commands.json says how
 to read a file.
@@ -9,6 +9,8 @@ Most of clang-tidy's time goes into headers and template instantiations. So the 
 are read N (default 16) at a time, one behind the other as a single source. That only finds out that
 all is well: the files of a batch with any finding, also that two define the same name, are read
 again one by one, and what is said then counts. --batch 1 reads all one by one.
+--no-analyzer leaves out the checks that follow all paths through a function (clang-analyzer-*),
+which take two fifths of the time. What they alone could find, the sanitizers' tests mostly do.
 A file that passed is not read again until it, a project header that it includes, its compile
 command, .clang-tidy or a package changes: its fingerprint is kept in ~/.cache/ceres_dhcal/tidy
 (or $XDG_CACHE_HOME/ceres_dhcal/tidy), which all clones share.
@@ -45,13 +47,14 @@ def output_of(command):
         return b""
 
 
-def environment_fingerprint(tidy):
+def environment_fingerprint(tidy, options):
     """Returns bytes that change with the rules, clang-tidy and the installed packages."""
     names = output_of([ROOT / "tools" / "setup.sh", "--list"]).decode().split()
     return b"\n".join([
         (ROOT / ".clang-tidy").read_bytes(),
         output_of([tidy, "--version"]),
         output_of(["dpkg-query", "-W"] + names),
+        *(option.encode() for option in options),
     ])
 
 
@@ -116,7 +119,7 @@ def batches_of(sources, commands, size):
             for group in groups.values() for first in range(0, len(group), size)]
 
 
-def check_batch(tidy, build, sources, command):
+def check_batch(tidy, build, sources, command, options):
     """Returns {source: (passed, findings)} of a batch of sources."""
     if len(sources) > 1:
         with tempfile.TemporaryDirectory() as folder:
@@ -128,13 +131,13 @@ def check_batch(tidy, build, sources, command):
             entry = {"directory": str(build), "file": str(together),
                      "command": command.replace(str(sources[0]), str(together))}
             (pathlib.Path(folder) / "compile_commands.json").write_text(json.dumps([entry]))
-            config = [f"--config-file={ROOT / '.clang-tidy'}"]
+            config = [f"--config-file={ROOT / '.clang-tidy'}", *options]
             passed, findings = check(tidy, folder, together, config)
             if passed:
                 return {source: (True, "") for source in sources}
             print(f"tidy: reads {len(sources)} files one by one, since together they have findings:"
                   f"\n{findings[:300]}", file=sys.stderr, flush=True)
-    return {source: check(tidy, build, source) for source in sources}
+    return {source: check(tidy, build, source, options) for source in sources}
 
 
 def cache_folder():
@@ -163,6 +166,7 @@ def parse_arguments(arguments):
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--batch", type=int, default=16)
     parser.add_argument("--no-cache", action="store_true")
+    parser.add_argument("--no-analyzer", action="store_true")
     parser.add_argument("files", nargs="*", type=lambda name: pathlib.Path(name).resolve())
     return parser.parse_args(arguments)
 
@@ -170,7 +174,8 @@ def parse_arguments(arguments):
 def run(arguments, tidy, commands):
     """Checks what is not known to pass; returns (number checked, number that failed)."""
     cache = cache_folder()
-    environment = environment_fingerprint(tidy)
+    options = ["--checks=-clang-analyzer-*"] if arguments.no_analyzer else []
+    environment = environment_fingerprint(tidy, options)
     stamps = {
         source: cache / fingerprint(source, command, environment)
         for source, command in commands.items()
@@ -179,7 +184,8 @@ def run(arguments, tidy, commands):
     batches = batches_of(stale, commands, max(1, arguments.batch))
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        done = [pool.submit(check_batch, tidy, arguments.build, batch, commands[batch[0]])
+        done = [pool.submit(
+            check_batch, tidy, arguments.build, batch, commands[batch[0]], options)
                 for batch in batches]
         for batch in concurrent.futures.as_completed(done):
             for source, (passed, findings) in batch.result().items():

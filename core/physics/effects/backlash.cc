@@ -96,10 +96,11 @@ std::string Decides(const EffectRequest& request) {
   if (!ByTorque(request)) return "the approach direction";
   const double friction = request.setting(kFriction, 0);
   if (MomentLink(request) >= 0) {
-    return fmt::format("the sign of a gravity torque that was found with it (moment of link {} at "
-                       "{:.0f} deg from its x)",
-                       MomentLink(request) + 1,
-                       request.setting(kMomentDegrees, 0));
+    return fmt::format(
+        "the sign of a gravity torque that was found with it (moment of link {} at "
+        "{:.0f} deg from its x)",
+        MomentLink(request) + 1,
+        request.setting(kMomentDegrees, 0));
   }
   if (friction == 0) return "the sign of its gravity torque";
   return fmt::format(
@@ -125,9 +126,8 @@ class BacklashEffect final : public Effect {
     if (ByTorque(request)) {
       if (const int link = MomentLink(request); link >= 0) {
         if (link < JointIndex(request) || link >= c.num_joints() || !c.revolute(link)) {
-          return fmt::format("moment_link: {} is no turning link that joint {} carries",
-                             link + 1,
-                             request.joint);
+          return fmt::format(
+              "moment_link: {} is no turning link that joint {} carries", link + 1, request.joint);
         }
       } else if (c.robot().links.empty()) {
         return "the masses (robot.links) are not given";

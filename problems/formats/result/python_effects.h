@@ -37,7 +37,10 @@ def _weight(name, parameter, effect, joint, q, frames, carried, direction):
         return (math.sin if wave == "sin" else math.cos)(order * own)
     if name == "transmission_error":
         return _spline(float(parameter[len("at_"):]), settings.get("knot_deg", 3.0), own)
-    torque = _torque(_masses(parameter, effect, carried), joint, frames)
+    if settings.get("moment_link", 0) > 0:
+        torque = _torque_of_one_moment(settings, joint, frames)
+    else:
+        torque = _torque(_masses(parameter, effect, carried), joint, frames)
     if name == "joint_compliance":
         return torque
     if name == "torsion_nonlinearity":
@@ -102,6 +105,14 @@ def _torque(masses, joint, frames):
     axis, point = _axis(frames, joint)
     force, moment = _load(masses, joint, point, frames)
     return _dot(axis, moment if JOINTS[joint]["type"] == "revolute" else force)
+
+
+def _torque_of_one_moment(settings, joint, frames):
+    link = int(settings["moment_link"]) - 1
+    angle = math.radians(settings.get("moment_deg", 0.0))
+    x, axis = _column(frames[link + 1], 0), _axis(frames, link)[0]
+    moment = _sum(_scaled(x, math.cos(angle)), _cross(axis, x), math.sin(angle))
+    return _dot(_axis(frames, joint)[0], _cross(moment, GRAVITY))
 
 
 def _beam_start(link, frames):

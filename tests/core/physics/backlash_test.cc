@@ -64,5 +64,41 @@ TEST(Backlash, OfALoadedGearIsTheLoadsBeyondFrictionAndTheLastMotionsWithin) {
   EXPECT_EQ(weights(), Eigen::VectorXd(-0.5 * recording.direction.col(0)));
 }
 
+/// A turning joint whose link's x points along gravity at q = 0: with the moment along that x,
+/// turned by m, the torque's sense is that of -sin(q + m).
+TEST(Backlash, OfALoadedGearWithoutMassesFollowsTheSenseOfOneMoment) {
+  for (const DhConvention convention : {DhConvention::kStandard, DhConvention::kModified}) {
+    RobotModel robot;
+    robot.convention = convention;
+    robot.joints.resize(1);
+    robot.joints[0].type = JointType::kRevolute;
+    robot.joints[0].alpha = convention == DhConvention::kStandard ? 0.7 : 0;
+    robot.gravity_B = {9.81, 0, 0};
+    Recording recording;
+    recording.q = Eigen::Vector4d(0.4, 2.9, 3.3, -0.6);
+    recording.numbers = Eigen::Vector4d(1, 2, 3, 4);
+    recording.direction = Eigen::Vector4d(1, 1, 1, 1);
+    const PhysicsContext context(robot, recording, {robot.X_WB});
+    const Effect& backlash = *FindEffect("backlash");
+    EffectRequest request;
+    request.effect = "backlash";
+    request.joint = 1;
+    request.settings = {{"flank", 1}};
+    EXPECT_NE(backlash.NotTestable(context, request), "") << "there are no masses";
+    request.settings["moment_link"] = 1;
+    for (const double degrees : {0.0, 50.0, 140.0}) {
+      request.settings["moment_deg"] = degrees;
+      EXPECT_EQ(backlash.NotTestable(context, request), "");
+      const EffectColumn column = backlash.Columns(context, request).front();
+      for (int row = 0; row < 4; ++row) {
+        const double sense = -std::sin(recording.q(row, 0) + degrees * kDegree);
+        EXPECT_EQ(column.slots.front().weight[row], std::copysign(0.5, sense)) << degrees;
+      }
+    }
+    request.settings["moment_link"] = 2;
+    EXPECT_NE(backlash.NotTestable(context, request), "") << "the arm has one link";
+  }
+}
+
 }  // namespace
 }  // namespace dhcal

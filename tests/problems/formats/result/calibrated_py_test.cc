@@ -195,7 +195,20 @@ TEST(CalibratedPy, HoldsEffectsOfThePose) {
 }
 
 TEST(CalibratedPy, HoldsEffectsOfUnknownMasses) {
-  ExpectSamePoses({Held("joint_compliance", 3, {{"compliance_x_link3_x", 4e-5}})}, Kr15());
+  const std::vector<EffectRequest> effects = {
+      Held("joint_compliance", 3, {{"compliance_x_link3_x", 4e-5}}),
+      Held("backlash",
+           4,
+           {{"width", 3e-4}},
+           {{"flank", 1}, {"moment_link", 5}, {"moment_deg", 70}, {"friction_Nm", 2}}),
+      Held("backlash",
+           3,
+           {{"width", 2e-4}},
+           {{"flank", 1}, {"moment_link", 3}, {"moment_deg", 25}})};
+  for (const RobotModel& robot : {Kr15(), Kr15Modified()}) {
+    SCOPED_TRACE(robot.name);
+    ExpectSamePoses(effects, robot);
+  }
 }
 
 TEST(CalibratedPy, FindsJointsThatReachAPose) {
