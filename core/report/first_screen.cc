@@ -12,7 +12,6 @@
 
 #include "core/base/text.h"
 #include "core/physics/effect.h"
-#include "core/physics/registry.h"
 #include "core/report/error_table.h"
 #include "core/report/format.h"
 #include "core/report/report.h"
@@ -103,16 +102,6 @@ std::vector<std::string> StepsToSettle(const DiagnosisResult& d) {
   return steps;
 }
 
-/// What was found bends readings, and not the robot.
-bool OnlyOfInstrument(const Result& result) {
-  if (!result.diagnosis || result.diagnosis->model.empty()) return false;
-  const std::vector<EffectRequest>& model = result.diagnosis->model;
-  return std::all_of(model.begin(), model.end(), [](const EffectRequest& request) {
-    const Effect* const effect = FindEffect(request.effect);
-    return effect != nullptr && effect->Describe().of_instrument;
-  });
-}
-
 std::vector<std::string> NextSteps(const Result& result) {
   std::vector<std::string> steps;
   if (!result.rows_set_aside.empty()) {
@@ -130,11 +119,7 @@ std::vector<std::string> NextSteps(const Result& result) {
     steps.emplace_back(
         "The readings do not show how the tool is turned: its orientation is not calibrated.");
   }
-  if (OnlyOfInstrument(result)) {
-    steps.emplace_back(
-        "Use the Denavit-Hartenberg rows, base and tool of calibrated.yaml; what was found is the "
-        "instrument's, and nothing that the robot needs to compensate.");
-  } else if (result.delivered && result.delivered->rigid) {
+  if (result.delivered && result.delivered->rigid) {
     steps.emplace_back(
         "Use calibrated.yaml where effects can be compensated; where only Denavit-Hartenberg rows "
         "can be entered, calibrated_rigid.yaml.");

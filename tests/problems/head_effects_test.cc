@@ -14,6 +14,7 @@
 #include "core/kinematics/head_sight.h"
 #include "core/kinematics/inverse_kinematics.h"
 #include "core/physics/registry.h"
+#include "problems/diagnosis/calibrate.h"
 #include "problems/formats/result/result_writer.h"
 #include "problems/frames.h"
 #include "problems/identify.h"
@@ -48,7 +49,7 @@ struct HeadCase {
   std::vector<std::string> compared;  // parameters that are the same about another middle
 };
 
-EffectRequest Request(const std::string& effect, const std::map<std::string, double>& values) {
+EffectRequest HeadRequest(const std::string& effect, const std::map<std::string, double>& values) {
   EffectRequest request;
   request.effect = effect;
   request.values = values;
@@ -59,25 +60,31 @@ std::vector<HeadCase> HeadCases() {
   std::vector<HeadCase> cases;
   HeadFaults faults;
   faults.curvature = 3e-3;
-  cases.push_back({"edge_bow", Request("edge_bow", {{"curvature", 3e-3}}), faults, {"curvature"}});
+  cases.push_back(
+      {"edge_bow", HeadRequest("edge_bow", {{"curvature", 3e-3}}), faults, {"curvature"}});
   faults = {};
   faults.climb = 3e-4;
-  cases.push_back(
-      {"edge_misalignment", Request("edge_misalignment", {{"pitch", 3e-4}}), faults, {"pitch"}});
+  cases.push_back({"edge_misalignment",
+                   HeadRequest("edge_misalignment", {{"pitch", 3e-4}}),
+                   faults,
+                   {"pitch"}});
   faults = {};
   faults.higher = 8e-4;
-  cases.push_back({"camera_abbe", Request("camera_abbe", {{"height", 8e-4}}), faults, {"height"}});
+  cases.push_back(
+      {"camera_abbe", HeadRequest("camera_abbe", {{"height", 8e-4}}), faults, {"height"}});
   faults = {};
   faults.pixel = 0.03;
-  cases.push_back({"camera_scale", Request("camera_scale", {{"scale", 0.03}}), faults, {"scale"}});
+  cases.push_back(
+      {"camera_scale", HeadRequest("camera_scale", {{"scale", 0.03}}), faults, {"scale"}});
   faults = {};
   faults.slant[1] = Vector3d(-1.5e-3, 2e-3, 0);
-  EffectRequest tilt = Request("laser_tilt", {{"first_laser2", -1.5e-3}, {"second_laser2", 2e-3}});
+  EffectRequest tilt =
+      HeadRequest("laser_tilt", {{"first_laser2", -1.5e-3}, {"second_laser2", 2e-3}});
   tilt.settings["laser"] = 2;
   cases.push_back({"laser_tilt", tilt, faults, {}});
   faults = {};
   faults.polynomial[0] = Vector3d(5e-4, 0.05, 2);
-  EffectRequest bent = Request(
+  EffectRequest bent = HeadRequest(
       "laser_linearity", {{"gain_laser1", 5e-4}, {"quadratic_laser1", 0.05}, {"cubic_laser1", 2}});
   bent.settings["laser"] = 1;
   cases.push_back({"laser_linearity", bent, faults, {"cubic_laser1"}});
@@ -189,6 +196,9 @@ TEST_P(HeadEffect, IsFoundAgainByAFit) {
   const Result result = IdentifyGeometry(spec, recording, Progress());
   ASSERT_NE(result.best(), nullptr);
   EXPECT_TRUE(result.best()->converged);
+  // As many directions more as it has parameters: none of them hides among arm and placements.
+  const auto own = static_cast<int>(GetParam().request.values.size());
+  EXPECT_EQ(result.best()->rank_numerical, 24 - 1 + 4 * 12 + own);
   EXPECT_NEAR(result.validation.rms_test / kNoiseOfCamera, 1, 0.25);
   const auto parameters = ByName(*result.best());
   for (const std::string& name : GetParam().compared) {
@@ -198,7 +208,7 @@ TEST_P(HeadEffect, IsFoundAgainByAFit) {
   }
 }
 
-TEST_P(HeadEffect, HasItsNameInADiagnosis) {
+TEST_P(HeadEffect, HasItsNameInADiagnosisAndLeavesTheRobotAsItIs) {
   if (kSanitized) GTEST_SKIP() << "too slow with sanitizers; the other tests run the same code";
   ProblemSpec spec = CaseWithPitch();
   const Recording rows = RowsOverEdges(spec);
@@ -207,10 +217,15 @@ TEST_P(HeadEffect, HasItsNameInADiagnosis) {
   faults.height0 = {0.06, 0.06};
   const auto truth = independent::MakeHeadTruth(spec, 8);
   const Recording recording = RecordFaulty(spec, truth, rows, faults, kNoiseOfCamera, 12);
-  const DiagnosisResult diagnosis = Diagnosed(spec, recording);
+  const Result result = Calibrate(spec, recording, {});
+  ASSERT_TRUE(result.diagnosis.has_value());
+  const DiagnosisResult& diagnosis = *result.diagnosis;
   ASSERT_EQ(diagnosis.findings.size(), 1u) << diagnosis.summary;
   EXPECT_EQ(diagnosis.findings[0].effect.effect, GetParam().request.effect) << diagnosis.summary;
   EXPECT_EQ(diagnosis.findings[0].effect.settings, GetParam().request.settings);
+  // The rows fitted beside it are those of the robot: one without it would be worse for any use.
+  ASSERT_TRUE(result.delivered.has_value());
+  EXPECT_FALSE(result.delivered->rigid.has_value());
 }
 
 TEST_P(HeadEffect, NeedsAHead) {
@@ -235,7 +250,7 @@ std::string NameOfCase(const testing::TestParamInfo<HeadCase>& param) { return p
 INSTANTIATE_TEST_SUITE_P(Faults, HeadEffect, testing::ValuesIn(HeadCases()), NameOfCase);
 
 Result WithEffect(ProblemSpec spec, const std::string& effect, const Recording& recording) {
-  spec.parameters.effects = {Request(effect, {})};
+  spec.parameters.effects = {HeadRequest(effect, {})};
   return IdentifyGeometry(spec, recording, Progress());
 }
 
@@ -251,7 +266,7 @@ TEST(HeadEffects, AScaleAloneIsSaidToBeHidden) {
 
 TEST(HeadEffects, ASecondStandardOfLengthShowsTheScale) {
   ProblemSpec spec = LoadCase("kr15_edges");
-  spec.simulate->effects = {Request("sensor_scale", {{"scale", 5e-4}})};
+  spec.simulate->effects = {HeadRequest("sensor_scale", {{"scale", 5e-4}})};
   spec.simulate->row_errors(JointSlot::kA)[1] = 0;
   const Recording recording = RecordingOf(spec);
   // A length of the arm that was measured by itself.

@@ -4,7 +4,8 @@
 //
 // The stand-off of the camera itself does not matter, its sight stays the same line. Free heights
 // of the placements take most of it: they differ by what a tilted laser reads longer. Typical:
-// 0.3 mm. Source: PHYSICS.md S9. Worked number: see Example().
+// 0.3 mm. Source: PHYSICS.md S9. Worked number: h = 0.3 mm, u.x / u.z =
+// 25.91: 7.77 mm.
 #include <fmt/format.h>
 
 #include "core/physics/columns.h"
@@ -25,6 +26,7 @@ class CameraAbbeEffect final : public Effect {
                         "0.1-1 mm [PHYSICS.md S9]"};
     d.has_joint = false;
     d.of_instrument = true;
+    d.of_head = true;
     return d;
   }
   std::string NotTestable(const PhysicsContext& c,

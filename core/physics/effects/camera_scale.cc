@@ -5,7 +5,8 @@
 // A camera measures from the ruling nearest to the middle of its image, so v is the offset in the
 // image, within half a pitch. Where v is the same at all rows it is a constant and hidden. v is
 // taken from the reading: over a whole pitch it is as good as independent of the reading's error.
-// Typical: 1 %. Source: PHYSICS.md S8. Worked number: see Example().
+// Typical: 1 %. Source: PHYSICS.md S8. Worked number: s = 1 %, 0.299 mm before a ruling:
+// -2.99 um.
 #include <cmath>
 #include <complex>
 
@@ -50,6 +51,7 @@ class CameraScaleEffect final : public Effect {
                         "1 % of the offset from the nearest ruling [PHYSICS.md S8]"};
     d.has_joint = false;
     d.of_instrument = true;
+    d.of_head = true;
     return d;
   }
   std::string NotTestable(const PhysicsContext& c,

@@ -4,7 +4,8 @@
 //
 // with x0 the middle of a placement's readings. Only the part along the rulings moves a reading,
 // and only where the camera's sight leans along the edge: what both faces do alike is the pose of
-// the placement. Typical: 0.1 mrad. Source: PHYSICS.md S5. Worked number: see Example().
+// the placement. Typical: 0.1 mrad. Source: PHYSICS.md S5.
+// Worked number: p = 0.1 mrad, 8.010 m before the middle, u.x / u.z = 25.91: -20.8 mm.
 #include <fmt/format.h>
 
 #include "core/physics/columns.h"
@@ -25,6 +26,7 @@ class EdgeMisalignmentEffect final : public Effect {
                         "0.1 mrad [PHYSICS.md S5]"};
     d.has_joint = false;
     d.of_instrument = true;
+    d.of_head = true;
     return d;
   }
   std::string NotTestable(const PhysicsContext& c,

@@ -4,7 +4,7 @@
 //
 // with h0 the mean height of the recording: where the laser's own middle lies is not known, and a
 // bent line about another point has another gain. Typical: 0.05 % of 50 mm. Source: PHYSICS.md S6.
-// Worked number: see Example().
+// Worked number: g = 1e-3 at t = -11.59 m: -11.6 mm of laser 1 alone, -2.4 mm in base_z.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -40,6 +40,7 @@ class LaserLinearityEffect final : public Effect {
                         "25 um at 25 mm from the middle [PHYSICS.md S6]"};
     d.has_joint = false;
     d.of_instrument = true;
+    d.of_head = true;
     return d;
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {

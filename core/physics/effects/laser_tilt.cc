@@ -4,8 +4,8 @@
 //
 // about two axes across the beam: the tool's x (y of a beam near x) without its part along the
 // beam, and that axis turned by 90 deg about the beam. A slant that all three sensors have in
-// common is the tool's pose. Typical: 1-5 mrad. Source: PHYSICS.md S7. Worked number: see
-// Example().
+// common is the tool's pose. Typical: 1-5 mrad. Source: PHYSICS.md S7. Worked number: w =
+// 1 mrad lifts a beam of -16.31 m by 8.4e-6, u.z = 0.0364: 3.8 mm of laser 1, 0.78 mm in base_z.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -36,6 +36,7 @@ class LaserTiltEffect final : public Effect {
                         "1-5 mrad [PHYSICS.md S7]"};
     d.has_joint = false;
     d.of_instrument = true;
+    d.of_head = true;
     return d;
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {

@@ -66,17 +66,6 @@ TEST(FirstScreen, SaysWhatToMeasureWhereTheVerdictIsOpen) {
   EXPECT_THAT(Screen(WithFindings(DiagnosisVerdict::kExplained)), Not(HasSubstr("Measure,")));
 }
 
-TEST(FirstScreen, WhatTheInstrumentDoesIsNothingForTheRobotToCompensate) {
-  Result result = WithFindings(DiagnosisVerdict::kExplained);
-  EffectRequest bow, play;
-  bow.effect = "edge_bow";
-  play.effect = "backlash";
-  result.diagnosis->model = {bow};
-  EXPECT_THAT(Screen(result), HasSubstr("the instrument's, and nothing"));
-  result.diagnosis->model = {bow, play};
-  EXPECT_THAT(Screen(result), Not(HasSubstr("the instrument's, and nothing")));
-}
-
 TEST(FirstScreen, WithoutAResultHoldsTheReasonsAndNoParameters) {
   Result result = DivergedResult();
   result.notes = {"The reason."};
