@@ -6,8 +6,8 @@
 // heights the smallest climb and tilt,
 //   (z, l rx, l ry) of least norm with  d heights = -(z + rx y_k - ry x_k) / u_k.z
 // at the lasers' spots (x_k, y_k) from Q; then the shift along x that the ruler lacks. Exact for
-// the ruler alone, else to first order. The robot itself does not move
-// (EffectDescription::of_instrument). PHYSICS.md, "The measuring head".
+// the ruler alone, else to first order: the second is below a hundredth of errors up to 0.3 mm. The
+// robot itself does not move (EffectDescription::of_instrument). PHYSICS.md, "The measuring head".
 #ifndef DHCAL_CORE_PHYSICS_HEAD_ROWS_H_
 #define DHCAL_CORE_PHYSICS_HEAD_ROWS_H_
 
