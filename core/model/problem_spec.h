@@ -14,6 +14,7 @@
 
 #include "core/base/diagnostics.h"
 #include "core/model/effect_request.h"
+#include "core/model/head.h"
 #include "core/model/joint_numbers.h"
 #include "core/model/measurement_kind.h"
 #include "core/model/recording.h"
@@ -28,19 +29,6 @@ enum class TruncationRule { kNoise, kPaper, kRelative };
 enum class LossKind { kNone, kHuber, kCauchy, kTukey };
 
 const char* ToString(SolverMethod method);
-
-/// A sensor of a head that looks along a straight line at an edge.
-struct HeadSensor {
-  Eigen::Vector3d p_QS = Eigen::Vector3d::Zero();   // [m] in the tool frame
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // unit vector of its sight, in the tool frame
-};
-
-/// A camera over a ruled edge and two lasers over a flat one beside it.
-struct HeadSpec {
-  HeadSensor camera;
-  std::array<HeadSensor, 2> lasers;
-  double ruler_height = 0;  // [m] of the ruled face above the flat one
-};
 
 struct MeasurementSpec {
   MeasurementKind kind;                  // of the registry, residuals/registry.h

@@ -185,7 +185,7 @@ struct DeliveredModel {
   ValidationResult validation;
   IntervalVerdict intervals = IntervalVerdict::kHold;
   /// The robot without the effects, for controllers that take Denavit-Hartenberg rows only; absent
-  /// where no effects were found.
+  /// where no effects were found, or those of the instrument alone.
   std::optional<RobotModel> rigid;
   std::vector<JointErrors> joint_errors;  // of joints with effects, where points are measured
 };

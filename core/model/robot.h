@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/diagnostics.h"
+#include "core/model/head.h"
 
 namespace dhcal {
 
@@ -87,6 +88,8 @@ struct RobotModel {
   /// Around the robot, where distances are read: those of the measurement, for effects of the
   /// instrument.
   std::vector<Anchor> anchors;
+  /// On its tool, where it reads along edges: that of the measurement, for the same effects.
+  std::optional<HeadSpec> head;
 
   Eigen::Vector3d gravity_B = Eigen::Vector3d(0, 0, -9.80665);  // [m/s^2]
   std::vector<LinkMass> links;                                  // empty, or one per joint

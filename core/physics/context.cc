@@ -74,6 +74,7 @@ PhysicsContext::PhysicsContext(const RobotModel& robot,
     const auto frames = chain_.LinkFrames(recording_.q.row(k).transpose(), deltas.col(k));
     frames_.insert(frames_.end(), frames.begin(), frames.end());
   }
+  tool_moves_ = deltas.middleRows(slots().tool(0), SlotLayout::kPerFrame);
   FillMoves();
   FillDirections();
   FillClock();
@@ -85,6 +86,7 @@ PhysicsContext::PhysicsContext(const PhysicsContext& other, const RobotModel& wi
       chain_(other.chain_),
       X_WB_(other.X_WB_),
       frames_(other.frames_),
+      tool_moves_(other.tool_moves_),
       moves_(other.moves_),
       direction_(other.direction_),
       clock_(other.clock_),
@@ -112,6 +114,12 @@ const Eigen::Isometry3d& PhysicsContext::X_TQ(int row_idx) const {
 
 Eigen::Vector3d PhysicsContext::p_WQ(int row_idx) const {
   return X_WB(row_idx) * (X_BL(row_idx, num_joints() - 1) * X_TQ(row_idx).translation());
+}
+
+Eigen::Isometry3d PhysicsContext::X_WQ(int row_idx) const {
+  const Eigen::Matrix<double, SlotLayout::kPerFrame, 1> moved = tool_moves_.col(row_idx);
+  return X_WB(row_idx) * X_BL(row_idx, num_joints() - 1) *
+         PerturbFrame<double>(X_TQ(row_idx), moved);
 }
 
 const Anchor* PhysicsContext::anchor(int row_idx) const {

@@ -81,6 +81,8 @@ class PhysicsContext {
   /// Where the nominal robot has the measured point Q, in W [m]. Never what was read: a column that
   /// held a reading would hold the residual, and explain it.
   Eigen::Vector3d p_WQ(int row_idx) const;
+  /// Its pose there, with the tool moved as a state of the robot has it.
+  Eigen::Isometry3d X_WQ(int row_idx) const;
   /// Anchor to which a row's distance is read; null where no distance is read.
   const Anchor* anchor(int row_idx) const;
 
@@ -120,7 +122,8 @@ class PhysicsContext {
   const Recording& recording_;
   DhChain chain_;
   std::vector<Eigen::Isometry3d> X_WB_;
-  std::vector<Eigen::Isometry3d> frames_;  // num_rows x (n + 1)
+  std::vector<Eigen::Isometry3d> frames_;                                    // num_rows x (n + 1)
+  Eigen::Matrix<double, SlotLayout::kPerFrame, Eigen::Dynamic> tool_moves_;  // per row
   std::vector<bool> moves_;
   Eigen::MatrixXd direction_;
   Eigen::VectorXd clock_, drift_clock_;

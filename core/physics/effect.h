@@ -57,6 +57,10 @@ struct EffectDescription {
   /// Nobody knows whether what drives it is a cause: beside a rest, which has a cause of its own
   /// that may go along with the driver, it has no name.
   bool needs_whole_model = false;
+  /// It belongs to what measures: the robot stands where it would without it.
+  bool of_instrument = false;
+  /// ... a head over straight edges: where there is none, it is neither tried nor spoken of.
+  bool of_head = false;
   /// What drives it counts from a zero that nobody knows: a constant of the slots it moves is no
   /// error of the geometry.
   bool zero_unknown = false;

@@ -30,6 +30,12 @@ namespace dhcal {
   DHCAL_EFFECT(SensorScale)             \
   DHCAL_EFFECT(LengthOffset)            \
   DHCAL_EFFECT(InstrumentDrift)         \
+  DHCAL_EFFECT(EdgeBow)                 \
+  DHCAL_EFFECT(EdgeMisalignment)        \
+  DHCAL_EFFECT(LaserLinearity)          \
+  DHCAL_EFFECT(LaserTilt)               \
+  DHCAL_EFFECT(CameraScale)             \
+  DHCAL_EFFECT(CameraAbbe)              \
   DHCAL_EFFECT(ColumnDriver)            \
   DHCAL_EFFECT(AxisTilt)                \
   DHCAL_EFFECT(BaseFrame)               \
@@ -71,6 +77,7 @@ std::vector<std::string> EffectNames() {
 std::optional<WholeRange> WholeSetting(const std::string& setting, int num_joints) {
   constexpr int kMostRows = 10'000'000;
   if (setting == "driver_joint") return WholeRange{1, std::max(num_joints, 1)};
+  if (setting == "laser") return WholeRange{1, 2};
   if (setting == "at_row") return WholeRange{1, kMostRows};
   for (const char* const flag : {"flank", "measured_torque", "free_masses"}) {
     if (setting == flag) return WholeRange{0, 1};

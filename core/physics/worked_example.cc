@@ -21,6 +21,12 @@ RobotModel WorkedExampleRobot() {
   }
   robot.X_TQ.translation() = Eigen::Vector3d(0, 0, 0.2);
   robot.anchors = {{"A", Eigen::Vector3d(1.105, 0, -1.265)}};
+  HeadSpec head;
+  head.camera.p_QS = Eigen::Vector3d(0.02, 0, 0);
+  head.lasers[0].p_QS = Eigen::Vector3d(-0.03, 0.05, 0.01);
+  head.lasers[1].p_QS = Eigen::Vector3d(-0.03, -0.05, 0.01);
+  head.pitch = 1e-3;
+  robot.head = head;
   robot.gravity_B = Eigen::Vector3d(0, 0, -10);  // round numbers in the examples
   return robot;
 }
@@ -46,6 +52,8 @@ Recording WorkedExampleRecording() {
   recording.distance = Eigen::Vector3d::Ones();
   recording.anchor_names = {"A"};
   recording.anchor_idx = {0, 0, 0};
+  recording.edge_names = {"E", "F"};
+  recording.edge_idx = {0, 0, 1};
   recording.extra.push_back({"motor_temp", Eigen::Vector3d(30, 40, 55)});
   recording.run_names = {"1", "2"};
   recording.run_idx = {0, 0, 1};

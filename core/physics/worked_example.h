@@ -3,6 +3,9 @@
 // A KUKA KR 15-like arm (standard DH, six revolute joints), each link 10 kg with its centre of mass
 // at its frame's origin, nothing carried at row 0. Distances are read to one anchor, A, 1 m below
 // the point of row 0.
+// Its tool carries a head over straight edges in the plane z = 0 of W: E at rows 0 and 1, F at row
+// 2. Lasers stand 10 mm before the camera, 100 mm apart, all look along the tool's z axis (at row 1
+// almost along the face: numbers to check by, of no real head).
 // Beside it somebody recorded motor_temp: 30, 40, 55.
 //   row 0   all joints 0, direction +1, t = 0 s, 20 degC
 //   row 1   q = (10, 20, 30, 40, 50, 60) deg, direction +1, t = 3600 s, 30 degC, 0.5 rad/s, 100 N

@@ -1,11 +1,13 @@
 #include "core/report/error_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "core/physics/registry.h"
 #include "core/report/format.h"
 
 namespace dhcal {
@@ -40,6 +42,16 @@ void AddRow(const std::string& what,
 }
 
 Baseline ErrorOf(const FitResult& fit) { return {fit.rms, fit.rms_point, fit.max_point}; }
+
+/// What was found bends readings, and not the robot.
+bool OnlyOfInstrument(const Result& result) {
+  if (!result.diagnosis || result.diagnosis->model.empty()) return false;
+  const std::vector<EffectRequest>& model = result.diagnosis->model;
+  return std::all_of(model.begin(), model.end(), [](const EffectRequest& request) {
+    const Effect* const effect = FindEffect(request.effect);
+    return effect != nullptr && effect->Describe().of_instrument;
+  });
+}
 
 }  // namespace
 
@@ -112,11 +124,12 @@ Table ErrorTable(const Result& result) {
   }
   const DeliveredModel& all = *result.delivered;
   AddRow("geometry of the file, calibrated", kind, rigid, result.validation, &table);
-  AddRow(all.rigid ? "with the effects found" : "with the geometry found",
-         kind,
-         ErrorOf(all.fit),
-         all.validation,
-         &table);
+  AddRow(
+      all.rigid || OnlyOfInstrument(result) ? "with the effects found" : "with the geometry found",
+      kind,
+      ErrorOf(all.fit),
+      all.validation,
+      &table);
   return table;
 }
 

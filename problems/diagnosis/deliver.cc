@@ -1,6 +1,7 @@
 #include "problems/diagnosis/deliver.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/base/units.h"
+#include "core/physics/registry.h"
 #include "problems/diagnosis/complete_fit.h"
 #include "problems/diagnosis/completions.h"
 #include "problems/diagnosis/joint_errors.h"
@@ -134,6 +136,14 @@ std::vector<EffectRequest> HeldAt(const Calibration& c, const Eigen::VectorXd& s
   return held;
 }
 
+/// True if any effect beside the first `given` is the robot's own, and not that of its instrument.
+bool MovesTheRobot(const std::vector<EffectRequest>& effects, std::size_t given) {
+  return std::any_of(
+      effects.begin() + static_cast<std::ptrdiff_t>(given), effects.end(), [](const auto& effect) {
+        return !FindEffect(effect.effect)->Describe().of_instrument;
+      });
+}
+
 void AddNoteOnMasses(const ProblemSpec& user, Result* result) {
   result->notes.push_back(
       user.robot.links.empty()
@@ -193,7 +203,7 @@ void Deliver(const ProblemSpec& user,
   model.effects = HeldAt(own.calibration, state);
   model.validation = Validate(own.calibration, *analysis, *own.fit.problem);
   model.intervals = JudgeDelivered(d);
-  if (own.spec.parameters.effects.size() > user.parameters.effects.size()) {
+  if (MovesTheRobot(own.spec.parameters.effects, user.parameters.effects.size())) {
     const bool as_file_asks = rigid.parameters.estimate == user.parameters.estimate;
     model.rigid = as_file_asks ? result->calibrated
                                : OwnFit(user, rigid, recording, nullptr, progress).Robot();

@@ -36,6 +36,7 @@ EffectsAtPoses EffectsOf(const Calibration& c, const Recording& rows) {
   for (std::size_t k = 0; k < c.effects.size(); ++k) {
     const EffectRequest& request = c.effects[k];
     const Effect& effect = *FindEffect(request.effect);
+    if (effect.Describe().of_instrument) continue;
     if (!effect.DependsOnPoseOnly(request) || !effect.NotTestable(context, request).empty()) {
       effects.left_out.push_back(InstanceName(request));
       continue;

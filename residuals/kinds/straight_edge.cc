@@ -1,24 +1,19 @@
 // The paper's measuring head over straight edges: a camera that reads a ruled edge and two lasers
 // that read their distances from a flat edge parallel to it.
 //
-// W is the frame E of the reading's edge: x along the rulings, z out of the flat face. A sensor at
-// S looks along the unit vector u (both fixed in the tool frame) and meets a plane z = c where
-//   t(X) = (c - p_ES.z) / u.z                  length of its sight [m]
-//   ruler = (p_ES + t u).x                     camera; c: the ruled face
-//   height = t                                 lasers; c = 0: the flat face
+// W is the frame E of the reading's edge; what the sensors see of it: core/kinematics/head_sight.h.
 // A reading is the difference from the row before of its run and edge: where the ruler begins, and
 // what the lasers call zero, are not known. A pose's error enters both of its differences, which
 // `noise: shared_pose` whitens exactly (residuals/series.h).
 //
 // Not differentiable where a sensor looks along the faces. English et al. (2004), "Measurement
 // concept"; what the readings can show: straight_edge.md.
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 
 #include <glog/logging.h>
 
+#include "core/kinematics/head_sight.h"
 #include "residuals/kinds/columns.h"
 #include "residuals/measurement.h"
 
@@ -26,38 +21,7 @@ namespace dhcal {
 namespace {
 
 constexpr char kHeadColumns[] = "ruler_mm, height1_mm, height2_mm (or _m)";
-// A sensor that looks along the faces to this sine sees nothing.
-constexpr double kGrazing = 1e-3;
-
-using HeadTwistRows = Eigen::Matrix<double, 3, 6>;
-using RowVector6 = Eigen::Matrix<double, 1, 6>;
-
-/// What a sensor sees of a plane z = c.
-struct Sight {
-  Eigen::Vector3d u;     // along the sight, in E
-  double length = 0;     // [m]
-  Eigen::Vector3d at;    // where it meets the plane
-  RowVector6 length_by;  // d length / d twist of Q
-  RowVector6 ruler_by;   // d at.x / d twist of Q
-};
-
-/// Nothing where the sensor looks along the plane.
-std::optional<Sight> Look(const HeadSensor& sensor, const SeenPose& pose, double plane) {
-  const Eigen::Vector3d p_QS_E = pose.R_WQ * sensor.p_QS;
-  Sight sight;
-  sight.u = pose.R_WQ * sensor.axis;
-  if (std::abs(sight.u.z()) < kGrazing) return std::nullopt;
-  sight.length = (plane - pose.p_WQ.z() - p_QS_E.z()) / sight.u.z();
-  const Eigen::Vector3d p_QM_E = p_QS_E + sight.length * sight.u;
-  sight.at = pose.p_WQ + p_QM_E;
-  // The twist moves the point of the sight that is at M by t + w x p_QM; M stays in the plane.
-  RowVector6 x_by, z_by;
-  x_by << 1, 0, 0, 0, p_QM_E.z(), -p_QM_E.y();
-  z_by << 0, 0, 1, p_QM_E.y(), -p_QM_E.x(), 0;
-  sight.length_by = -z_by / sight.u.z();
-  sight.ruler_by = x_by + sight.u.x() * sight.length_by;
-  return sight;
-}
+using HeadTwistRows = HeadSights::TwistRows;
 
 /// The three numbers that a head reads at a pose, and their derivatives by its twist.
 struct HeadReading {
@@ -66,19 +30,9 @@ struct HeadReading {
 };
 
 std::optional<HeadReading> ReadHead(const HeadSpec& head, const SeenPose& pose) {
-  HeadReading reading;
-  const std::optional<Sight> camera = Look(head.camera, pose, head.ruler_height);
-  if (!camera) return std::nullopt;
-  reading.numbers[0] = camera->at.x();
-  reading.by_twist.row(0) = camera->ruler_by;
-  for (std::size_t k = 0; k < head.lasers.size(); ++k) {
-    const std::optional<Sight> laser = Look(head.lasers[k], pose, 0);
-    if (!laser) return std::nullopt;
-    const auto row = static_cast<Eigen::Index>(k) + 1;
-    reading.numbers[row] = laser->length;
-    reading.by_twist.row(row) = laser->length_by;
-  }
-  return reading;
+  const std::optional<HeadSights> sights = SightsOf(head, pose.p_WQ, pose.R_WQ);
+  if (!sights) return std::nullopt;
+  return HeadReading{sights->numbers(), sights->by_twist()};
 }
 
 class StraightEdge final : public Measurement {

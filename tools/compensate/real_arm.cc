@@ -57,6 +57,8 @@ void RealArm::KeepPredictable(Diagnostics* diagnostics) {
                          fmt::format("the effect {} has no 'values'; take the calibrated.yaml of a "
                                      "result",
                                      InstanceName(effect)));
+    } else if (FindEffect(effect.effect)->Describe().of_instrument) {
+      continue;  // the robot stands where it would without it
     } else if (!IsPredictable(effect)) {
       diagnostics->Warning(
           effect.where,

@@ -28,6 +28,7 @@ bool IsCause(const Json& effect, const Json& cause) {
       NumberOr(effect, "driver_joint", 0) != settings.at("driver_joint").get<double>()) {
     return false;
   }
+  if (NumberOr(effect, "laser", 0) != NumberOr(settings, "laser", 0)) return false;
   const double order = NumberOr(settings, "order", 0);
   // Over a limited range the low orders of a gear are one smooth curve.
   constexpr double kSmooth = 2.5;

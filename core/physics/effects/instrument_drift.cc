@@ -27,6 +27,7 @@ class InstrumentDriftEffect final : public Effect {
                         "temperature_C, or t_s with time_constant_s",
                         "5-50 ppm over a warm-up [PHYSICS.md S3]"};
     d.has_joint = false;
+    d.of_instrument = true;
     return d;
   }
   std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {

@@ -26,6 +26,7 @@ class LengthOffsetEffect final : public Effect {
                         "distance_mm and anchor, measurement kind distance",
                         "0.1-20 mm [PHYSICS.md S2]"};
     d.has_joint = false;
+    d.of_instrument = true;
     return d;
   }
 

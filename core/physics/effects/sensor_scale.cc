@@ -28,6 +28,7 @@ class SensorScaleEffect final : public Effect {
                         "",
                         "1-50 ppm [PHYSICS.md S1]; never visible with free lengths"};
     d.has_joint = false;
+    d.of_instrument = true;
     d.may_be_named = false;
     return d;
   }

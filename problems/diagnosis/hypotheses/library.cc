@@ -273,6 +273,7 @@ std::vector<Item> NamedItems(const PhysicsContext& c, const LibraryOptions& opti
       continue;
     }
     if (!description.may_be_named) continue;
+    if (description.of_head && !c.robot().head) continue;
     std::map<std::string, int> count;
     std::vector<EffectRequest> forms;
     for (const EffectRequest& request : FormsOf(*effect, c, options)) {

@@ -18,6 +18,7 @@ namespace dhcal {
 void AddNotTestable(const ProblemSpec& spec, const PhysicsContext& context, DiagnosisResult* d) {
   std::set<std::pair<std::string, std::string>> reported;
   for (const Effect* const effect : AllEffects()) {
+    if (effect->Describe().of_head && !context.robot().head) continue;
     const std::vector<EffectRequest> candidates = effect->Candidates(context);
     for (const EffectRequest& request : candidates) {
       const auto& active = spec.parameters.effects;

@@ -63,6 +63,9 @@ void ReadHead(const YamlValue& value, MeasurementSpec* measurement) {
     if (sensor) sigmas[k] = ReadSensor(*sensor, sensors[k]);
   }
   map.Read("ruler_height", LengthUnits(), &head.ruler_height);
+  double pitch = 0;
+  map.Read("pitch", LengthUnits(), &pitch, Range::Above(0));
+  if (pitch > 0) head.pitch = pitch;
 
   const auto given = std::count_if(
       sigmas.begin(), sigmas.end(), [](const auto& sigma) { return sigma.has_value(); });

@@ -118,6 +118,7 @@ void ReadProblem(const YamlValue& root, const std::string& data_dir, ProblemSpec
     spec->robot.anchors = spec->measurement.anchors;
     spec->robot.edges = spec->measurement.edges;
     spec->robot.base_per_edge = spec->measurement.kind.edges;
+    if (spec->measurement.kind.edges) spec->robot.head = spec->measurement.head;
     CheckOneBasePerEdge(*measurement, spec->robot);
   }
   spec->parameters.where = root.key_where();

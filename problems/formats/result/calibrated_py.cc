@@ -133,6 +133,8 @@ std::string CalibratedPython(const std::string& problem,
                              const std::vector<EffectRequest>& effects) {
   std::vector<std::string> held, left_out;
   for (const EffectRequest& effect : effects) {
+    // The robot stands where it would without it.
+    if (FindEffect(effect.effect)->Describe().of_instrument) continue;
     const std::string why = WhyNotHeld(effect);
     if (why.empty()) {
       held.push_back(EffectOf(effect));

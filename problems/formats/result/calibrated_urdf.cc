@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/physics/effect.h"
+#include "core/physics/registry.h"
 #include "problems/formats/result/result_writer.h"
 #include "problems/formats/urdf/urdf_chain.h"
 #include "problems/formats/urdf/urdf_corrected.h"
@@ -19,6 +20,7 @@ namespace {
 std::vector<std::string> LeftOut(const std::vector<EffectRequest>& effects) {
   std::vector<std::string> lines;
   for (const EffectRequest& effect : effects) {
+    if (FindEffect(effect.effect)->Describe().of_instrument) continue;
     std::string values;
     for (const auto& [name, value] : effect.values) {
       values += fmt::format("{}{} {:.4g}", values.empty() ? "" : ", ", name, value);

@@ -179,13 +179,15 @@ TEST(Registry, NamesAreUniqueAndFound) {
 }
 
 TEST(Registry, HoldsEveryEffectOfTheFormats) {
-  for (const char* const name : {"joint_compliance", "torsion_nonlinearity", "gravity_balancer",
-                                 "link_bending",     "base_compliance",      "joint_gain",
-                                 "gear_harmonic",    "joint_coupling",       "backlash",
-                                 "axis_wobble",      "link_thermal",         "base_drift",
-                                 "joint_drift",      "joint_step",           "tool_step",
-                                 "latency",          "sensor_scale",         "axis_tilt",
-                                 "base_frame",       "tool_offset"}) {
+  for (const char* const name : {"joint_compliance",  "torsion_nonlinearity", "gravity_balancer",
+                                 "link_bending",      "base_compliance",      "joint_gain",
+                                 "gear_harmonic",     "joint_coupling",       "backlash",
+                                 "axis_wobble",       "link_thermal",         "base_drift",
+                                 "joint_drift",       "joint_step",           "tool_step",
+                                 "latency",           "sensor_scale",         "axis_tilt",
+                                 "base_frame",        "tool_offset",          "edge_bow",
+                                 "edge_misalignment", "laser_linearity",      "laser_tilt",
+                                 "camera_scale",      "camera_abbe"}) {
     EXPECT_NE(FindEffect(name), nullptr) << name;
   }
 }

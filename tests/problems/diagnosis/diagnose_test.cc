@@ -382,7 +382,8 @@ std::vector<const Effect*> Physics() {
     // An error curve is offered beside several lines of a gear only: error_curve_test.cc.
     // Distances to an anchor: wire_with_length_offset in recorded_cases_test.cc.
     const std::set<std::string> elsewhere = {"sensor_scale", "transmission_error", "length_offset"};
-    if (elsewhere.count(name) == 0) physics.push_back(effect);
+    // Those of a measuring head: head_effects_test.cc.
+    if (elsewhere.count(name) == 0 && !effect->Describe().of_head) physics.push_back(effect);
   }
   return physics;
 }

@@ -23,6 +23,7 @@ std::string RobotYaml(const Arm& arm) {
 }
 
 std::string MeasurementYaml(const Trial& trial) {
+  if (trial.head) return HeadYaml(*trial.head, trial.sigma_given);
   std::string text = fmt::format("measurement:\n  kind: {}\n",
                                  trial.differences ? "adjacent_position" : "position");
   if (trial.differences) text += "  noise: shared_pose\n";
@@ -115,11 +116,14 @@ std::string RecordingCsv(const Trial& trial) {
   const Eigen::MatrixXd readings = Readings(trial);
   const Motion& motion = trial.motion;
   const bool moving = motion.speed.rows() > 0;
-  const bool runs = motion.run.front() != motion.run.back();
+  const bool runs = !trial.head && motion.run.front() != motion.run.back();
   CsvText csv;
   for (Eigen::Index j = 1; j <= motion.q.cols(); ++j) csv.Label(fmt::format("q{}_deg", j));
   for (const char* const axis : {"x", "y", "z"}) {
-    csv.Label(fmt::format("{}{}_mm", trial.differences ? "d" : "", axis));
+    if (!trial.head) csv.Label(fmt::format("{}{}_mm", trial.differences ? "d" : "", axis));
+  }
+  if (trial.head) {
+    for (const char* const name : {"ruler_mm", "height1_mm", "height2_mm", "edge"}) csv.Label(name);
   }
   csv.Label("t_s");
   if (runs) csv.Label("run");
@@ -145,6 +149,7 @@ std::string RecordingCsv(const Trial& trial) {
         csv.Number(rounded((readings(row, k) - readings(row - 1, k)) / kMillimetre, 1e-3));
       }
     }
+    if (trial.head) csv.Label(fmt::format("E{:02}", motion.run[i]));
     csv.Number(motion.time[row]);
     if (runs) csv.Label(fmt::format("r{}", motion.run[i]));
     if (motion.payload_varies) csv.Number(motion.payload[row]);

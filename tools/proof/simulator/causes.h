@@ -49,6 +49,16 @@ Cause Follows(const std::string& column,
 /// The instrument warms up, and its unit of length with it.
 Cause InstrumentGrows(double growth, double lag);
 
+// Of a measuring head over straight edges.
+Cause EdgeIsBowed(double curvature);
+Cause RuledFaceClimbs(double angle);
+Cause RuledFaceHigher(double height);
+/// Offsets in the camera's image read too long by this share.
+Cause PixelsWrong(double share);
+/// Lasers count from 1; angles [rad] about the tool's x and y.
+Cause BeamSlants(int laser, const Eigen::Vector2d& angles);
+Cause LaserBends(int laser, double quadratic, double cubic);
+
 // Outside the library.
 Cause ToothDamaged(int joint, double at, double width, double depth);
 Cause Kinked(int joint, double at, double slope);

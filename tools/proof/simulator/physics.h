@@ -3,6 +3,7 @@
 #ifndef DHCAL_TOOLS_PROOF_SIMULATOR_PHYSICS_H_
 #define DHCAL_TOOLS_PROOF_SIMULATOR_PHYSICS_H_
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -95,6 +96,19 @@ struct Instrument {
   double lag = 1;            // [s] of that, one exponential
 };
 
+/// What is wrong with a measuring head and its straight edge.
+struct HeadFaults {
+  double bow = 0, vertex = 0.03;  // [1/m] curvature of both faces, deepest (highest) at x [m]
+  double climb = 0;               // [rad] of the ruled face against the flat one
+  double ruled_height = 0;        // [m] of it above where the file has it
+  double pixel = 0;               // share by which offsets in the image are read too long
+  double ruler_scale = 0;         // share by which the ruler's lengths are too long
+  std::array<Eigen::Vector2d, 2> slant = {Eigen::Vector2d::Zero(),
+                                          Eigen::Vector2d::Zero()};  // [rad]
+  /// [1/m], [1/m^2]: square and cube of the distance from a laser's middle.
+  std::array<Eigen::Vector2d, 2> bent = {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+};
+
 struct Physics {
   std::vector<Drive> drives;  // one per joint
   std::vector<GearLine> lines;
@@ -110,6 +124,7 @@ struct Physics {
   std::vector<Move> base_of_run;  // of run 1, 2, ...; empty = it stays
   double settling = 0;            // share of the last move that is still missing
   Instrument instrument;
+  HeadFaults head;
   double latency = 0;                              // [s]
   Eigen::Vector3d sway = Eigen::Vector3d::Zero();  // [m] the floor swings
   double sway_period = 900;                        // [s]

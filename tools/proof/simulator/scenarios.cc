@@ -250,9 +250,8 @@ void Sways(Trial* trial, Rng* rng) {
   trial->causes = {FloorSways(Vector3d(0.04e-3, 0.02e-3, 0.03e-3), duration / 7)};
 }
 
-}  // namespace
-
-const std::vector<Scenario>& AllScenarios() {
+/// Of positions and their differences.
+const std::vector<Scenario>& PointScenarios() {
   constexpr bool kQuick = true;
   static const std::vector<Scenario> scenarios = {
       {"D1", "nothing left out, wide", Group::kNull, kQuick, 1000, Clean},
@@ -327,6 +326,17 @@ const std::vector<Scenario>& AllScenarios() {
        1000,
        YieldsWithBalancer}};
   return scenarios;
+}
+
+}  // namespace
+
+const std::vector<Scenario>& AllScenarios() {
+  static const std::vector<Scenario> all = [] {
+    std::vector<Scenario> both = PointScenarios();
+    both.insert(both.end(), HeadScenarios().begin(), HeadScenarios().end());
+    return both;
+  }();
+  return all;
 }
 
 Trial MakeTrial(const Scenario& scenario, int seed) {

@@ -1,5 +1,4 @@
-// The scenarios D1 to D23 (without those of a ruler's own faults) and more decoys, as trials. Each
-// tells its story in one line.
+// The scenarios D1 to D23 and more decoys, as trials. Each tells its story in one line.
 #ifndef DHCAL_TOOLS_PROOF_SIMULATOR_SCENARIOS_H_
 #define DHCAL_TOOLS_PROOF_SIMULATOR_SCENARIOS_H_
 
@@ -21,6 +20,9 @@ struct Scenario {
 };
 
 const std::vector<Scenario>& AllScenarios();
+
+/// Those of a measuring head over straight edges.
+const std::vector<Scenario>& HeadScenarios();
 
 /// A trial of a scenario: the robot goes with the seed (KR 15, UR10, small arm in turn).
 Trial MakeTrial(const Scenario& scenario, int seed);

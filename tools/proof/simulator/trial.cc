@@ -20,20 +20,50 @@ MatrixXd AsMeasured(const Trial& trial, const MatrixXd& rows) {
   return trial.differences ? Differences(rows, trial.motion) : rows;
 }
 
+/// What is read of every pose, each column as noisy as the sensor (poses x 3).
+MatrixXd Seen(const Trial& trial, const Arm& built, const Physics& physics) {
+  if (!trial.head) return TruePositions(built, physics, trial.motion);
+  return AlikeNoisy(*trial.head, HeadNumbers(*trial.head, built, physics, trial.motion));
+}
+
+MatrixXd OfGeometry(const Trial& trial) {
+  if (!trial.head) return GeometrySignatures(trial.drawing, trial.built, trial.motion);
+  return HeadSignatures(*trial.head, trial.drawing, trial.built, trial.motion);
+}
+
+/// [m] times the noise: what the first pose of each run reads is free, so each run's mean is.
+MatrixXd WithoutMeans(const Trial& trial, MatrixXd rows) {
+  const auto poses = static_cast<std::size_t>(trial.motion.num_poses());
+  for (std::size_t first = 0; first < poses;) {
+    std::vector<Index> fitted;
+    std::size_t end = first;
+    for (; end < poses && trial.motion.run[end] == trial.motion.run[first]; ++end) {
+      if (!trial.motion.test[end]) fitted.push_back(3 * static_cast<Index>(end));
+    }
+    MatrixXd mean = MatrixXd::Zero(3, rows.cols());
+    for (const Index row : fitted) mean += rows.middleRows(row, 3);
+    mean /= static_cast<double>(std::max<std::size_t>(fitted.size(), 1));
+    for (const Index row : fitted) rows.middleRows(row, 3) -= mean;
+    first = end;
+  }
+  return rows;
+}
+
 /// What each cause adds to the readings, given the others.
 MatrixXd Signals(const Trial& trial) {
-  const MatrixXd all = TruePositions(trial.built, AllPhysics(trial), trial.motion);
+  const MatrixXd all = Seen(trial, trial.built, AllPhysics(trial));
   MatrixXd signals(3 * trial.motion.num_poses(), static_cast<Index>(trial.causes.size()));
   for (std::size_t k = 0; k < trial.causes.size(); ++k) {
-    const MatrixXd without = TruePositions(trial.built, PhysicsWithout(trial, k), trial.motion);
+    const MatrixXd without = Seen(trial, trial.built, PhysicsWithout(trial, k));
     signals.col(static_cast<Index>(k)) = Stacked(all - without);
   }
   return AsMeasured(trial, signals);
 }
 
 /// Rows that are fitted.
-MatrixXd Fitted(const Trial& trial, const MatrixXd& rows) {
-  if (trial.differences) return rows;
+MatrixXd Fitted(const Trial& trial, const MatrixXd& all_rows) {
+  if (trial.differences) return all_rows;
+  const MatrixXd rows = trial.head ? WithoutMeans(trial, all_rows) : all_rows;
   MatrixXd fitted(rows.rows(), rows.cols());
   Index filled = 0;
   for (int k = 0; k < trial.motion.num_poses(); ++k) {
@@ -70,8 +100,7 @@ MatrixXd MassSignatures(const Trial& trial) {
       more.links[link].com[k % 4] += kMassStep;
       less.links[link].com[k % 4] -= kMassStep;
     }
-    signatures.col(k) = Stacked(TruePositions(more, physics, trial.motion) -
-                                TruePositions(less, physics, trial.motion));
+    signatures.col(k) = Stacked(Seen(trial, more, physics) - Seen(trial, less, physics));
   }
   return AsMeasured(trial, signatures);
 }
@@ -114,6 +143,7 @@ Physics AllPhysics(const Trial& trial) { return PhysicsWithout(trial, trial.caus
 
 Physics PhysicsWithout(const Trial& trial, std::size_t cause) {
   Physics physics(trial.built.num_joints());
+  physics.head.ruler_scale = trial.ruler_scale;
   for (std::size_t k = 0; k < trial.causes.size(); ++k) {
     if (k != cause) trial.causes[k].apply(&physics, 1);
   }
@@ -122,8 +152,7 @@ Physics PhysicsWithout(const Trial& trial, std::size_t cause) {
 
 void WeighCauses(Trial* trial) {
   if (trial->causes.empty()) return;
-  const MatrixXd geometry = Fitted(
-      *trial, AsMeasured(*trial, GeometrySignatures(trial->drawing, trial->built, trial->motion)));
+  const MatrixXd geometry = Fitted(*trial, AsMeasured(*trial, OfGeometry(*trial)));
   Weigh(trial, geometry);
   if (trial->wanted_lambda <= 0 || trial->causes.size() != 1) return;
   Cause& cause = trial->causes.front();
@@ -166,7 +195,15 @@ MatrixXd Readings(const Trial& trial) {
       reached.q(row, j) += rng.Uniform(-trial.joint_band, trial.joint_band);
     }
   }
-  return Read(trial.sensor, TruePositions(trial.built, AllPhysics(trial), reached), &rng);
+  if (!trial.head) {
+    return Read(trial.sensor, TruePositions(trial.built, AllPhysics(trial), reached), &rng);
+  }
+  MatrixXd numbers = HeadNumbers(*trial.head, trial.built, AllPhysics(trial), reached);
+  for (Index row = 0; row < numbers.rows(); ++row) {
+    numbers(row, 0) += trial.head->camera_noise * rng.Normal();
+    for (int k = 1; k < 3; ++k) numbers(row, k) += trial.head->laser_noise * rng.Normal();
+  }
+  return numbers;
 }
 
 }  // namespace dhcal::concealed

@@ -4,12 +4,14 @@
 #define DHCAL_TOOLS_PROOF_SIMULATOR_TRIAL_H_
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/rng.h"
 #include "tools/proof/simulator/arm.h"
 #include "tools/proof/simulator/cause.h"
+#include "tools/proof/simulator/head.h"
 #include "tools/proof/simulator/motion.h"
 #include "tools/proof/simulator/physics.h"
 #include "tools/proof/simulator/sensor.h"
@@ -30,8 +32,10 @@ struct Trial {
   Arm built;
   Motion motion;
   Sensor sensor;
-  bool differences = false;  // shared-pose differences instead of positions
-  bool sigma_given = true;   // the file states the noise
+  std::optional<EdgeHead> head;  // reads along edges instead of positions
+  double ruler_scale = 0;        // of its ruler, beside all causes
+  bool differences = false;      // shared-pose differences instead of positions
+  bool sigma_given = true;       // the file states the noise
   std::string estimate = "[complete]";
   std::vector<Cause> causes;
   double joint_band = 0;        // [rad] in-position band of the controller

@@ -86,15 +86,21 @@ VectorXd Stacked(const MatrixXd& positions) {
 
 MatrixXd GeometrySignatures(const Arm& drawing, const Arm& built, const Motion& motion) {
   const Physics rigid(built.num_joints());
+  return GeometrySignatures(
+      drawing, built, motion, [&](const Arm& arm) { return TruePositions(arm, rigid, motion); });
+}
+
+MatrixXd GeometrySignatures(const Arm& drawing,
+                            const Arm& built,
+                            const Motion& motion,
+                            const std::function<MatrixXd(const Arm&)>& read) {
   const auto freedoms = Freedoms(drawing);
   MatrixXd signatures(3 * motion.num_poses(), static_cast<Index>(freedoms.size()));
   for (std::size_t k = 0; k < freedoms.size(); ++k) {
     Arm more = built, less = built;
     freedoms[k](&more, kStep);
     freedoms[k](&less, -kStep);
-    const MatrixXd difference =
-        TruePositions(more, rigid, motion) - TruePositions(less, rigid, motion);
-    signatures.col(static_cast<Index>(k)) = Stacked(difference) / (2 * kStep);
+    signatures.col(static_cast<Index>(k)) = Stacked(read(more) - read(less)) / (2 * kStep);
   }
   return signatures;
 }

@@ -3,6 +3,7 @@
 #ifndef DHCAL_TOOLS_PROOF_SIMULATOR_VISIBILITY_H_
 #define DHCAL_TOOLS_PROOF_SIMULATOR_VISIBILITY_H_
 
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -18,6 +19,12 @@ Eigen::VectorXd Stacked(const Eigen::MatrixXd& positions);
 /// d position / d every geometric freedom of the arm (DH rows, Hayati's angles where the drawing's
 /// axes are parallel, base, tool), by central differences; 3 poses x freedoms.
 Eigen::MatrixXd GeometrySignatures(const Arm& drawing, const Arm& built, const Motion& motion);
+
+/// The same of what `read` says that an arm reads (poses x 3).
+Eigen::MatrixXd GeometrySignatures(const Arm& drawing,
+                                   const Arm& built,
+                                   const Motion& motion,
+                                   const std::function<Eigen::MatrixXd(const Arm&)>& read);
 
 /// As differences of successive poses within runs, for recordings that hold those.
 Eigen::MatrixXd Differences(const Eigen::MatrixXd& rows, const Motion& motion);
