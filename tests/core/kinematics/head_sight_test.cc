@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 using independent::Matrix4;
-using Complex = std::complex<double>;
+using Imaginary = std::complex<double>;
 
 HeadSpec AslantHead() {
   HeadSpec head;
@@ -40,23 +40,23 @@ TEST(HeadSight, NumbersAndTwistsAreThoseOfTheIndependentHead) {
     const Eigen::Isometry3d X = SomePose(&rng);
     const auto sights = SightsOf(head, X.translation(), X.linear());
     ASSERT_TRUE(sights);
-    const Matrix4<Complex> edge = Matrix4<Complex>::Identity();
+    const Matrix4<Imaginary> edge = Matrix4<Imaginary>::Identity();
     EXPECT_LT((sights->numbers() -
                independent::HeadNumbers<double>(head, X.matrix(), Matrix4<double>::Identity()))
                   .norm(),
               1e-14);
     for (int k = 0; k < 6; ++k) {
-      Matrix4<Complex> moved = X.matrix().cast<Complex>();
+      Matrix4<Imaginary> moved = X.matrix().cast<Imaginary>();
       if (k < 3) {
-        moved(k, 3) += Complex(0, kStep);
+        moved(k, 3) += Imaginary(0, kStep);
       } else {
         const Vector3d w = Vector3d::Unit(k - 3);
         for (int column = 0; column < 3; ++column) {
           const Vector3d turned = w.cross(Vector3d(X.linear().col(column)));
-          moved.block<3, 1>(0, column) += Complex(0, kStep) * turned.cast<Complex>();
+          moved.block<3, 1>(0, column) += Imaginary(0, kStep) * turned.cast<Imaginary>();
         }
       }
-      const Vector3d slope = independent::HeadNumbers<Complex>(head, moved, edge).imag() / kStep;
+      const Vector3d slope = independent::HeadNumbers<Imaginary>(head, moved, edge).imag() / kStep;
       EXPECT_LT((sights->by_twist().col(k) - slope).norm(), 1e-12) << k;
     }
   }
