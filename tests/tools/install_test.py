@@ -12,7 +12,8 @@ import unittest
 
 CMAKE = "cmake"
 BUILD = "build"
-PROGRAMS = ["ceres_dhcal", "dhcal_simulate", "dhcal_compensate", "dhcal_compare"]
+PROGRAMS = ["ceres_dhcal", "dhcal_simulate", "dhcal_compensate", "dhcal_compare",
+            "dhcal_convert", "dhcal_plan"]
 
 CONSUMER_CMAKE = """
 cmake_minimum_required(VERSION 3.22)
@@ -120,6 +121,7 @@ class InstallTest(unittest.TestCase):
         self.assertEqual(self.complete("ceres_dhcal", "--diagnosis", "ne"), ["never"])
         self.assertEqual(self.complete("dhcal_compare", "sha"), ["share"])
         self.assertEqual(self.complete("ceres_dhcal", "ini"), ["init"])
+        self.assertEqual(self.complete("dhcal_convert", "--base"), ["--base-link"])
 
     @unittest.skipUnless(shutil.which("dpkg-deb"), "dpkg-deb is not there")
     def test_a_debian_package_holds_the_program_and_names_what_it_needs(self):

@@ -4,7 +4,7 @@
 # packages do not need them. Judges of the program are no part of it.
 
 set(packaging "${PROJECT_SOURCE_DIR}/tools/packaging")
-set(programs ceres_dhcal dhcal_simulate dhcal_compensate dhcal_compare)
+set(programs ceres_dhcal dhcal_simulate dhcal_compensate dhcal_compare dhcal_convert dhcal_plan)
 set(share "${CMAKE_INSTALL_DATADIR}/ceres_dhcal")
 set(doc "${CMAKE_INSTALL_DATADIR}/doc/ceres-dhcal")
 
