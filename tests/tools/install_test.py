@@ -4,6 +4,7 @@ Installs the build tree BUILD, moves what was installed, and uses it as others w
 """
 
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -75,6 +76,14 @@ class InstallTest(unittest.TestCase):
             run(self.prefix / "bin/ceres_dhcal", "init", "mine", cwd=work)
             template.unlink()
             self.assertIn("Universal Robots UR5e", pathlib.Path(work, "problem.yaml").read_text())
+
+    def test_the_guides_that_readme_links_are_there(self):
+        doc = self.prefix / "share/doc/ceres-dhcal"
+        readme = (doc / "README.md").read_text()
+        links = re.findall(r"\]\((problems/(?:guides/|FORMATS)[^)#]*)", readme)
+        self.assertGreater(len(links), 10)
+        for link in links:
+            self.assertTrue((doc / link).is_file(), link)
 
     def test_cases_of_the_package_run(self):
         with tempfile.TemporaryDirectory() as work:
