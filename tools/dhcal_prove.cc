@@ -3,6 +3,7 @@
 //   dhcal_prove --out DIR [--quick] [--seeds N] [--only D4,D5] [--jobs N]
 //   dhcal_prove --out DIR --random N [--first SEED] [--only D4,D5] [--jobs N]
 //   dhcal_prove --out DIR --setups N [--first SEED] [--jobs N]
+//   dhcal_prove --list
 //
 // Makes recordings of arms with left-out physics (tools/proof/simulator, which shares nothing with
 // the identification), runs ceres_dhcal on each as a user would, opens the sealed answers and
@@ -194,7 +195,8 @@ int main(int argc, char** argv) {
         "proves the diagnosis on recordings whose answer it is not told\n\n"
         "  dhcal_prove --out DIR [--quick] [--seeds N] [--only D4,D5] [--jobs N] [--verbose]\n"
         "  dhcal_prove --out DIR --random N [--first SEED] [--only D4,D5] [--jobs N] [--verbose]\n"
-        "  dhcal_prove --out DIR --setups N [--first SEED] [--jobs N] [--verbose]");
+        "  dhcal_prove --out DIR --setups N [--first SEED] [--jobs N] [--verbose]\n"
+        "  dhcal_prove --list");
     gflags::ParseCommandLineFlags(&argc, &argv, true);
     if (argc > 1) {
       std::cerr << "dhcal_prove: unknown argument " << argv[1] << "; see --help\n";

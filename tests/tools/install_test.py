@@ -4,6 +4,7 @@ Installs the build tree BUILD, moves what was installed, and uses it as others w
 """
 
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -12,7 +13,8 @@ import unittest
 
 CMAKE = "cmake"
 BUILD = "build"
-PROGRAMS = ["ceres_dhcal", "dhcal_simulate", "dhcal_compensate", "dhcal_compare"]
+PROGRAMS = ["ceres_dhcal", "dhcal_simulate", "dhcal_compensate", "dhcal_compare",
+            "dhcal_convert", "dhcal_plan"]
 
 CONSUMER_CMAKE = """
 cmake_minimum_required(VERSION 3.22)
@@ -75,6 +77,14 @@ class InstallTest(unittest.TestCase):
             template.unlink()
             self.assertIn("Universal Robots UR5e", pathlib.Path(work, "problem.yaml").read_text())
 
+    def test_the_guides_that_readme_links_are_there(self):
+        doc = self.prefix / "share/doc/ceres-dhcal"
+        readme = (doc / "README.md").read_text()
+        links = re.findall(r"\]\((problems/(?:guides/|FORMATS)[^)#]*)", readme)
+        self.assertGreater(len(links), 10)
+        for link in links:
+            self.assertTrue((doc / link).is_file(), link)
+
     def test_cases_of_the_package_run(self):
         with tempfile.TemporaryDirectory() as work:
             case = self.prefix / "share/ceres_dhcal/cases/kr15.yaml"
@@ -120,6 +130,7 @@ class InstallTest(unittest.TestCase):
         self.assertEqual(self.complete("ceres_dhcal", "--diagnosis", "ne"), ["never"])
         self.assertEqual(self.complete("dhcal_compare", "sha"), ["share"])
         self.assertEqual(self.complete("ceres_dhcal", "ini"), ["init"])
+        self.assertEqual(self.complete("dhcal_convert", "--base"), ["--base-link"])
 
     @unittest.skipUnless(shutil.which("dpkg-deb"), "dpkg-deb is not there")
     def test_a_debian_package_holds_the_program_and_names_what_it_needs(self):

@@ -4,7 +4,7 @@
 # packages do not need them. Judges of the program are no part of it.
 
 set(packaging "${PROJECT_SOURCE_DIR}/tools/packaging")
-set(programs ceres_dhcal dhcal_simulate dhcal_compensate dhcal_compare)
+set(programs ceres_dhcal dhcal_simulate dhcal_compensate dhcal_compare dhcal_convert dhcal_plan)
 set(share "${CMAKE_INSTALL_DATADIR}/ceres_dhcal")
 set(doc "${CMAKE_INSTALL_DATADIR}/doc/ceres-dhcal")
 
@@ -15,7 +15,11 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/problems/robots" DESTINATION "${share}"
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/problems/cases" DESTINATION "${share}" COMPONENT runtime
         FILES_MATCHING PATTERN "*.yaml" PATTERN "*.csv" PATTERN "concealed" EXCLUDE)
 install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md"
-              "${PROJECT_SOURCE_DIR}/problems/FORMATS.md" DESTINATION "${doc}" COMPONENT runtime)
+        DESTINATION "${doc}" COMPONENT runtime)
+install(FILES "${PROJECT_SOURCE_DIR}/problems/FORMATS.md" DESTINATION "${doc}/problems"
+        COMPONENT runtime)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/problems/guides" DESTINATION "${doc}/problems"
+        COMPONENT runtime)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${doc}" RENAME copyright
         COMPONENT runtime)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/third_party_notes" DESTINATION "${doc}" COMPONENT runtime)

@@ -108,6 +108,14 @@ if(NOT DHCAL_SANITIZE AND NOT DHCAL_COVERAGE)
            COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/install_test.py"
                    "${CMAKE_COMMAND}" "${PROJECT_BINARY_DIR}")
 endif()
+# What the pages tell users to type. A sanitizer build has not all of the programs.
+add_test(NAME problems/guides_self_test
+         COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/problems/guides/guide_walk_test.py")
+if(NOT DHCAL_SANITIZE AND NOT DHCAL_COVERAGE)
+  add_test(NAME problems/guides
+           COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/problems/guides/guides_test.py"
+                   "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}" ${programs})
+endif()
 # The Python module, where it is built; else the test says that it skips.
 if(DHCAL_PYTHON)
   set(python "${PYTHON_EXECUTABLE}")

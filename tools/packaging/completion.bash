@@ -16,7 +16,7 @@ _ceres_dhcal() {
   if [ -z "$choices" ] && [ "${COMP_WORDS[1]}" = init ] && [ "$pattern" = '*' ]; then
     choices="$("$program" init --list 2>/dev/null | cut -d ' ' -f 1) --list --out"
   elif [ -z "$choices" ] && [[ "$word" == -* ]]; then
-    choices="$("$program" --help 2>/dev/null | grep -oE -e '--[a-z_]+' | sort -u)"
+    choices="$("$program" --help 2>/dev/null | grep -oE -e '--[a-z_-]+' | sort -u)"
   elif [ -z "$choices" ] && [ "$COMP_CWORD" -eq 1 ] && [ "${program##*/}" = ceres_dhcal ]; then
     choices=init
   fi
@@ -32,4 +32,4 @@ _ceres_dhcal() {
 }
 
 complete -o filenames -F _ceres_dhcal ceres_dhcal dhcal_simulate dhcal_compensate dhcal_compare \
-  dhcal_ruler
+  dhcal_convert dhcal_plan dhcal_ruler
