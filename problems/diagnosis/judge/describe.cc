@@ -96,6 +96,12 @@ void AddSentence(const std::string& joint, const std::string& sentence, std::str
   *all += "; " + (same ? "it" + sentence.substr(joint.size()) : sentence);
 }
 
+/// True if a member's size is that of masses which nobody stated.
+bool RestsOnGuess(const JointModel& model, const Item& item) {
+  return !model.masses_given() && item.elastic && item.request.setting("measured_torque", 0) == 0 &&
+         item.request.setting("free_masses", 0) == 0;
+}
+
 /// Chance of a log p, corrected for the choice.
 double Corrected(double log_p, double choices) {
   return std::exp(std::min(0.0, std::max(-690.0, log_p + std::log(std::max(choices, 1.0)))));
@@ -178,17 +184,19 @@ std::vector<Finding> DescribeMembers(const JointModel& model,
                                      " is negative, which no such mechanism can be");
         }
       }
-      if (member.item.elastic && request.setting("measured_torque", 0) == 0) {
+      const bool guess = RestsOnGuess(model, member.item);
+      if (guess) {
         finding.cautions.emplace_back(
-            model.masses_given()
-                ? "its size rests on the masses of the problem file and is wrong by as much as "
-                  "they are"
-                : "the masses are not given (robot.links): usual ones were assumed, so its size is "
-                  "a guess");
+            "the masses are not given (robot.links): usual ones were assumed, so its size is a "
+            "guess");
+      } else if (model.masses_given() && member.item.elastic &&
+                 request.setting("measured_torque", 0) == 0) {
+        finding.cautions.emplace_back(
+            "its size rests on the masses of the problem file and is wrong by as much as they are");
       }
-      AddSentence(JointWords(context.robot(), request.joint),
-                  effect.Sentence(context, request, values),
-                  &finding.sentence);
+      std::string sentence = effect.Sentence(context, request, values);
+      if (guess) sentence += " (of masses that were assumed)";
+      AddSentence(JointWords(context.robot(), request.joint), sentence, &finding.sentence);
       log_p = std::min(log_p,
                        certainty.log_p + std::log(static_cast<double>(outcome.rule.names) *
                                                   member.item.variants));
