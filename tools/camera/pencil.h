@@ -21,6 +21,8 @@
 namespace dhcal {
 
 constexpr int kPencilNumbers = 5;
+/// Scatter of the lines that is taken for none [px]: loss functions need one.
+constexpr double kFinestScatter = 0.01;
 using PencilNumbers = Eigen::Matrix<double, kPencilNumbers, 1>;
 
 /// x at a point `from_centre` = U(m) - c [px].

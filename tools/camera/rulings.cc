@@ -17,12 +17,11 @@ namespace dhcal {
 namespace {
 
 constexpr double kOwn = 0.2;        // of a pitch: pieces that near a ruling are its own
-constexpr double kFinest = 0.01;    // scatter that is taken for none [px]
 constexpr double kOff = 5;          // robust sigmas: a ruling that lies further off is set aside
 constexpr double kOffFloor = 0.03;  // and at least so far [px]
 
 double Scatter(const Pencil& pencil, const Lens& lens, const std::vector<NumberedPiece>& pieces) {
-  return std::max(kFinest, RobustScale(PencilErrors(pencil, lens, pieces)));
+  return std::max(kFinestScatter, RobustScale(PencilErrors(pencil, lens, pieces)));
 }
 
 /// Fits until the scatter that the loss goes by is that of the fit.

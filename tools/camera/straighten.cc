@@ -151,14 +151,14 @@ StraightenedLens Straighten(const Lens& start, std::vector<std::vector<NumberedP
     result.failure = "no image shows a row of rulings";
     return result;
   }
-  constexpr double kAny = 100, kFinest = 0.01;  // scatter [px]
+  constexpr double kAny = 100;  // scatter [px]
   bool fits = FitAll(kAny, false, &usable, &result.lens);
   result.rms_before = fits ? RobustScale(AllErrors(usable, start)) : 0;
   double scatter = kAny;
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds && fits; ++round) {
     fits = FitAll(scatter, true, &usable, &result.lens);
-    scatter = std::max(kFinest, RobustScale(AllErrors(usable, result.lens)));
+    scatter = std::max(kFinestScatter, RobustScale(AllErrors(usable, result.lens)));
   }
   if (!fits) {
     result.failure = "no lens straightens the rulings";
