@@ -64,7 +64,7 @@ class CameraScaleEffect final : public Effect {
   }
   std::string NotTestable(const PhysicsContext& c,
                           const EffectRequest& /*request*/) const override {
-    const std::string missing = HeadRows::Missing(c);
+    std::string missing = HeadRows::Missing(c);
     if (!missing.empty()) return missing;
     if (!c.robot().head->pitch) {
       return "the file does not say how far apart the rulings are (measurement.head.pitch_mm)";
