@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
+#include "core/base/flag_values.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/io/whole_file.h"
@@ -25,44 +24,8 @@ namespace {
 
 constexpr int kMostPoses = 100000;
 
-/// Reads flags, and says what is wrong in them.
-class Flags {
- public:
-  explicit Flags(Diagnostics* diagnostics) : diagnostics_(diagnostics) {}
-
-  void Whole(const char* name, const std::string& text, double low, int* number) {
-    double value = 0;
-    if (!Number(name, text, low, kMostPoses, &value)) return;
-    if (value != static_cast<int>(value)) {
-      return Wrong(name, text, "a whole number");
-    }
-    *number = static_cast<int>(value);
-  }
-
-  /// False where it is not given or wrong.
-  bool Number(const char* name, const std::string& text, double low, double high, double* number) {
-    if (text.empty()) return false;
-    const std::optional<double> value = ParseDouble(text);
-    if (value && *value >= low && *value <= high) {
-      *number = *value;
-      return true;
-    }
-    Wrong(name, text, fmt::format("a number from {:g} to {:g}", low, high));
-    return false;
-  }
-
-  void Wrong(const char* name, const std::string& text, const std::string& expected) {
-    diagnostics_->Error(
-        {"command line"},
-        fmt::format("--{} is '{}', but {} is expected", name, Printable(text), expected));
-  }
-
- private:
-  Diagnostics* diagnostics_;
-};
-
 /// "0.8,-0.5,0.2,1.5,0.5,1.2": two corners [m].
-void ReadVolume(const std::string& text, Flags* flags, std::optional<TaskBox>* volume) {
+void ReadVolume(const std::string& text, FlagValues* flags, std::optional<TaskBox>* volume) {
   if (text.empty()) return;
   std::vector<double> numbers;
   std::stringstream stream(text);
@@ -79,12 +42,12 @@ void ReadVolume(const std::string& text, Flags* flags, std::optional<TaskBox>* v
 }
 
 PlanOptions OptionsOf(const PlanCommand& command, Diagnostics* diagnostics) {
-  Flags flags(diagnostics);
+  FlagValues flags(diagnostics);
   PlanOptions options;
-  flags.Whole("poses", command.poses, 1, &options.count);
-  flags.Whole("candidates", command.candidates, 1, &options.candidates);
+  flags.Whole("poses", command.poses, 1, kMostPoses, &options.count);
+  flags.Whole("candidates", command.candidates, 1, kMostPoses, &options.candidates);
   int seed = 1;
-  flags.Whole("seed", command.seed, 0, &seed);
+  flags.Whole("seed", command.seed, 0, kMostPoses, &seed);
   options.seed = static_cast<std::uint64_t>(seed);
   if (command.criterion == "I") options.criterion = DesignCriterion::kI;
   if (!command.criterion.empty() && command.criterion != "I" && command.criterion != "D") {
@@ -92,7 +55,7 @@ PlanOptions OptionsOf(const PlanCommand& command, Diagnostics* diagnostics) {
   }
   ReadVolume(command.volume, &flags, &options.volume);
   EdgePlan& edge = options.edge;
-  flags.Whole("edge_poses", command.edge_poses, 2, &edge.poses);
+  flags.Whole("edge_poses", command.edge_poses, 2, kMostPoses, &edge.poses);
   double number = 0;
   if (flags.Number("edge_length_mm", command.edge_length, 1, 1e5, &number)) {
     edge.length = number * kMillimetre;
