@@ -148,6 +148,15 @@ std::vector<MassCase> FreeMassCases(const PhysicsContext& context, int joint) {
   return cases;
 }
 
+MassCase OneMoment(const PhysicsContext& context, int link, double angle) {
+  // A link's x stands across the axis of its joint in both conventions.
+  const Eigen::Vector3d axis = context.X_BL(0, link).linear().transpose() * context.axis(0, link);
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+  MassCase one = Empty(context);
+  one.moment.col(link) = std::cos(angle) * x + std::sin(angle) * axis.cross(x);
+  return one;
+}
+
 bool HasMeasuredTorque(const PhysicsContext& context, int joint) {
   const Eigen::MatrixXd& torque = context.recording().torque;
   return torque.rows() > 0 && torque.col(joint).allFinite();

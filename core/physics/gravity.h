@@ -50,6 +50,14 @@ std::vector<MassCase> MassCases(const PhysicsContext& context, int joint);
 /// The minimal cases, whether masses are given or not.
 std::vector<MassCase> FreeMassCases(const PhysicsContext& context, int joint);
 
+/// Settings of an effect that needs no more of a load than its sense.
+constexpr char kMomentLink[] = "moment_link";    // [from 1]
+constexpr char kMomentDegrees[] = "moment_deg";  // [deg]
+
+/// A moment of 1 kg m in a link [from 0], across the axis of its joint, `angle` [rad] about that
+/// axis from the link's x.
+MassCase OneMoment(const PhysicsContext& context, int link, double angle);
+
 /// The load on a joint from the recording's torque columns [N m], in DH's sense. A column holds the
 /// drive's torque (it opposes the load) or the load itself: the sign is the one that goes with
 /// gravity where gravity loads the joint, else the drive's.

@@ -31,8 +31,6 @@ namespace {
 constexpr double kTypicalAngle = 2e-4;   // [rad]
 constexpr double kTypicalLength = 5e-5;  // [m] of a rack or a ball screw
 constexpr char kFriction[] = "friction_Nm";
-constexpr char kMomentLink[] = "moment_link";
-constexpr char kMomentDegrees[] = "moment_deg";
 
 bool ByTorque(const EffectRequest& request) { return request.setting("flank", 0) != 0; }
 
@@ -41,23 +39,12 @@ int MomentLink(const EffectRequest& request) {
   return static_cast<int>(request.setting(kMomentLink, 0)) - 1;
 }
 
-MassCase OneMoment(const PhysicsContext& c, const EffectRequest& request) {
-  const int link = MomentLink(request);
-  const double angle = request.setting(kMomentDegrees, 0) * kDegree;
-  // A link's x stands across the axis of its joint in both conventions.
-  const Eigen::Vector3d axis = c.X_BL(0, link).linear().transpose() * c.axis(0, link);
-  const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
-  MassCase one;
-  one.mass.setZero(c.num_joints() + 1);
-  one.moment.setZero(3, c.num_joints() + 1);
-  one.moment.col(link) = std::cos(angle) * x + std::sin(angle) * axis.cross(x);
-  return one;
-}
-
 Eigen::VectorXd Torque(const PhysicsContext& c, const EffectRequest& request) {
-  const int joint = JointIndex(request);
-  return GravityTorque(
-      c, MomentLink(request) >= 0 ? OneMoment(c, request) : MassCases(c, joint).front(), joint);
+  const int joint = JointIndex(request), link = MomentLink(request);
+  return GravityTorque(c,
+                       link >= 0 ? OneMoment(c, link, request.setting(kMomentDegrees, 0) * kDegree)
+                                 : MassCases(c, joint).front(),
+                       joint);
 }
 
 Eigen::VectorXd Flank(const PhysicsContext& c, const EffectRequest& request) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -167,15 +168,15 @@ std::vector<EffectRequest> CurveForms(const PhysicsContext& c,
 /// All forms of one effect that are tried, testable or not.
 std::vector<EffectRequest> FormsOf(const Effect& effect,
                                    const PhysicsContext& c,
-                                   const LibraryOptions& options) {
+                                   const LibraryOptions& options,
+                                   const std::optional<GuessedLoads>& guessed) {
   const EffectDescription description = effect.Describe();
   if (description.is_curve) return CurveForms(c, description.name, options.num_poses);
   if (TakesSetting(effect, "driver_joint")) return AllPairs(c, description.name);
   std::vector<EffectRequest> requests = effect.Candidates(c);
-  if (!options.masses_given && TakesSetting(effect, kMomentLink)) {
-    for (const EffectRequest& form : WithMoments(c, options.near, requests)) {
-      requests.push_back(form);
-    }
+  if (guessed && TakesSetting(effect, kMomentLink)) {
+    const std::vector<EffectRequest> moments = WithMoments(c, *guessed, options.near, requests);
+    requests.insert(requests.end(), moments.begin(), moments.end());
   }
   const std::string step = StepSetting(c);
   if (TakesSetting(effect, step)) {
@@ -265,7 +266,8 @@ Item NamedItem(const PhysicsContext& c, const EffectRequest& request, int varian
 
 std::vector<Item> NamedItems(const PhysicsContext& c, const LibraryOptions& options) {
   std::vector<Item> items;
-  const GuessedLoads guessed(c);
+  std::optional<GuessedLoads> guessed;  // where nobody stated masses
+  if (!options.masses_given) guessed.emplace(c);
   for (const Effect* const effect : AllEffects()) {
     const EffectDescription description = effect->Describe();
     const auto& names = options.names;
@@ -276,7 +278,7 @@ std::vector<Item> NamedItems(const PhysicsContext& c, const LibraryOptions& opti
     if (description.of_head && !c.robot().head) continue;
     std::map<std::string, int> count;
     std::vector<EffectRequest> forms;
-    for (const EffectRequest& request : FormsOf(*effect, c, options)) {
+    for (const EffectRequest& request : FormsOf(*effect, c, options, guessed)) {
       const auto& on = options.switched;
       const bool active = std::any_of(on.begin(), on.end(), [&](const EffectRequest& e) {
         return e.effect == request.effect && e.joint == request.joint && !e.held &&
@@ -285,16 +287,15 @@ std::vector<Item> NamedItems(const PhysicsContext& c, const LibraryOptions& opti
       if (active || !effect->NotTestable(c, request).empty()) continue;
       // Guessed masses have no shape fine enough for the cube of a torque.
       const bool fine = description.name == "torsion_nonlinearity";
-      if (!options.masses_given && fine && request.setting("measured_torque", 0) == 0) continue;
+      if (guessed && fine && request.setting("measured_torque", 0) == 0) continue;
       // Where a torque was measured, it is believed before a guessed mass.
-      const bool guessed_load = !options.masses_given && request.setting("measured_torque", 0) == 0;
+      const bool guessed_load = guessed && request.setting("measured_torque", 0) == 0;
       const bool compliance = guessed_load && description.name == "joint_compliance";
       if (compliance && UsableTorque(c, *effect, request)) continue;
-      const bool moment = request.setting(kMomentLink, 0) != 0;
-      if (moment && (options.masses_given || guessed.tells(request.joint))) continue;
-      const bool rests_on_guess =
-          compliance || (guessed_load && !moment && request.setting("flank", 0) != 0);
-      const bool nothing_guessed = rests_on_guess && !guessed.tells(request.joint);
+      const bool by_masses =
+          request.setting("flank", 0) != 0 && request.setting(kMomentLink, 0) == 0;
+      const bool rests_on_guess = compliance || (guessed_load && by_masses);
+      const bool nothing_guessed = rests_on_guess && !guessed->tells(request.joint);
       if (nothing_guessed && !compliance) continue;
       forms.push_back(request);
       if (nothing_guessed) forms.back().settings["free_masses"] = 1;

@@ -52,11 +52,13 @@ GuessedLoads::GuessedLoads(const PhysicsContext& context) {
 }
 
 std::vector<EffectRequest> WithMoments(const PhysicsContext& context,
+                                       const GuessedLoads& guessed,
                                        const std::vector<EffectRequest>& near,
                                        const std::vector<EffectRequest>& requests) {
   std::vector<EffectRequest> forms;
   for (const EffectRequest& loaded : requests) {
     if (loaded.setting("flank", 0) == 0 || loaded.settings.count(kFriction) > 0) continue;
+    if (guessed.tells(loaded.joint)) continue;
     for (const Moment& moment : MomentsTried(context, near, loaded)) {
       for (const double friction : kFrictionsTried) {
         EffectRequest form = loaded;

@@ -9,9 +9,6 @@
 
 namespace dhcal {
 
-constexpr char kMomentLink[] = "moment_link";  // settings of an effect that needs a load's sense
-constexpr char kMomentDegrees[] = "moment_deg";
-
 /// Whether guessed masses say anything of a joint: they put the last links' masses on their axes,
 /// where they load nothing, whatever the true ones do.
 class GuessedLoads {
@@ -24,10 +21,11 @@ class GuessedLoads {
   double least_ = 0;
 };
 
-/// The requests that follow a gravity torque, each with moments instead of masses: of the joint's
-/// own link or of the next one, in directions all around (half of them: the other half is the other
-/// sense), finely around those of `near`, and with some friction.
+/// The requests that follow a gravity torque of which the masses tell nothing, each with moments
+/// instead: of the joint's own link or of the next one, in directions all around (half of them: the
+/// other half is the other sense), finely around those of `near`, and with some friction.
 std::vector<EffectRequest> WithMoments(const PhysicsContext& context,
+                                       const GuessedLoads& guessed,
                                        const std::vector<EffectRequest>& near,
                                        const std::vector<EffectRequest>& requests);
 
