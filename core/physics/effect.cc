@@ -4,6 +4,12 @@
 
 namespace dhcal {
 
+std::vector<EffectRequest> Effect::Candidates(const PhysicsContext& /*context*/) const {
+  EffectRequest request;
+  request.effect = Describe().name;
+  return {request};
+}
+
 std::string ParameterName(const EffectRequest& request, const std::string& parameter) {
   if (request.joint == 0) return request.effect + "." + parameter;
   return fmt::format("{}.{}.{}", request.effect, request.joint, parameter);

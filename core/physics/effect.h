@@ -100,8 +100,9 @@ class Effect {
   /// The effect's parameters; only where it is testable.
   virtual std::vector<EffectColumn> Columns(const PhysicsContext& context,
                                             const EffectRequest& request) const = 0;
-  /// The instances that a diagnosis tries, settings included.
-  virtual std::vector<EffectRequest> Candidates(const PhysicsContext& context) const = 0;
+  /// The instances that a diagnosis tries, settings included: where an effect does not say, one
+  /// without joint and settings.
+  virtual std::vector<EffectRequest> Candidates(const PhysicsContext& context) const;
   virtual EffectPlace Place(const PhysicsContext& context, const EffectRequest& request) const = 0;
   /// What moves these readings in the same way under another name of its own, and is no candidate
   /// for that reason: who names one has to name all.

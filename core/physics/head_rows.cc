@@ -109,25 +109,37 @@ EffectColumn HeadRows::Column(
   return column;
 }
 
-int LaserIndex(const EffectRequest& request) {
-  return static_cast<int>(request.setting("laser", 1)) - 1;
+EffectDescription EffectOfHead::Describe() const {
+  EffectDescription d = Words();
+  d.has_joint = false;
+  d.of_instrument = true;
+  d.of_head = true;
+  return d;
 }
 
-std::string CheckLaser(const PhysicsContext& context, const EffectRequest& request) {
+std::string EffectOfHead::NotTestable(const PhysicsContext& context,
+                                      const EffectRequest& /*request*/) const {
+  return HeadRows::Missing(context);
+}
+
+std::string EffectOfLaser::NotTestable(const PhysicsContext& context,
+                                       const EffectRequest& request) const {
   const double laser = request.setting("laser", 0);
   if (laser != 1 && laser != 2) return "needs the setting laser, 1 or 2";
   return HeadRows::Missing(context);
 }
 
-std::vector<EffectRequest> EveryLaser(const std::string& effect) {
+std::vector<EffectRequest> EffectOfLaser::Candidates(const PhysicsContext& context) const {
   std::vector<EffectRequest> requests;
   for (const int laser : {1, 2}) {
-    EffectRequest request;
-    request.effect = effect;
-    request.settings["laser"] = laser;
-    requests.push_back(request);
+    requests.push_back(EffectOfHead::Candidates(context).front());
+    requests.back().settings["laser"] = laser;
   }
   return requests;
+}
+
+int LaserIndex(const EffectRequest& request) {
+  return static_cast<int>(request.setting("laser", 1)) - 1;
 }
 
 }  // namespace dhcal

@@ -55,14 +55,28 @@ class HeadRows {
   Eigen::Vector3d mean_ = Eigen::Vector3d::Zero();
 };
 
+/// What is the same for all effects of a head: where they can be seen, and that the robot does not
+/// move by them.
+class EffectOfHead : public Effect {
+ public:
+  EffectDescription Describe() const final;
+  std::string NotTestable(const PhysicsContext& context,
+                          const EffectRequest& request) const override;
+
+ private:
+  /// The words of the description; what follows from being of a head is added to them.
+  virtual EffectDescription Words() const = 0;
+};
+
+/// An effect of one laser, which the setting `laser` names.
+class EffectOfLaser : public EffectOfHead {
+ public:
+  std::string NotTestable(const PhysicsContext& context, const EffectRequest& request) const final;
+  std::vector<EffectRequest> Candidates(const PhysicsContext& context) const final;
+};
+
 /// 0 or 1 from the setting `laser`, which counts from 1.
 int LaserIndex(const EffectRequest& request);
-
-/// Why a request for one laser has no meaning; empty where it has.
-std::string CheckLaser(const PhysicsContext& context, const EffectRequest& request);
-
-/// One request per laser.
-std::vector<EffectRequest> EveryLaser(const std::string& effect);
 
 }  // namespace dhcal
 

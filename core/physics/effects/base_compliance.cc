@@ -57,12 +57,6 @@ class BaseComplianceEffect final : public Effect {
     return columns;
   }
 
-  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override {
-    EffectRequest request;
-    request.effect = "base_compliance";
-    return {request};
-  }
-
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"C1", "base", "overturning moment"};
   }

@@ -14,36 +14,14 @@
 namespace dhcal {
 namespace {
 
-class CameraAbbeEffect final : public Effect {
+class CameraAbbeEffect final : public EffectOfHead {
  public:
-  EffectDescription Describe() const override {
-    EffectDescription d{"camera_abbe",
-                        "the ruled face is at another height than the file says",
-                        "d ruler = h u.x / u.z",
-                        "height [m]",
-                        {},
-                        "measurement kind straight_edge, the tool tilted along the edge",
-                        "0.1-1 mm [PHYSICS.md S9]"};
-    d.has_joint = false;
-    d.of_instrument = true;
-    d.of_head = true;
-    return d;
-  }
-  std::string NotTestable(const PhysicsContext& c,
-                          const EffectRequest& /*request*/) const override {
-    return HeadRows::Missing(c);
-  }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& /*request*/) const override {
     const auto error = [](int /*row*/, const HeadSights& seen) {
       return Eigen::Vector3d(seen.camera.ruler_by_plane(), 0, 0);
     };
     return {HeadRows(c).Column("height", "m", 3e-4, error)};
-  }
-  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override {
-    EffectRequest request;
-    request.effect = "camera_abbe";
-    return {request};
   }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"C10", "sensor", "tilt"};
@@ -62,6 +40,17 @@ class CameraAbbeEffect final : public Effect {
     example.slot = "base_x";
     example.expected = 0.007772010629674415;
     return example;
+  }
+
+ private:
+  EffectDescription Words() const override {
+    return {"camera_abbe",
+            "the ruled face is at another height than the file says",
+            "d ruler = h u.x / u.z",
+            "height [m]",
+            {},
+            "measurement kind straight_edge, the tool tilted along the edge",
+            "0.1-1 mm [PHYSICS.md S9]"};
   }
 };
 

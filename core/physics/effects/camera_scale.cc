@@ -47,24 +47,10 @@ bool StandsBetweenTheSame(const PhysicsContext& c) {
   return count == 0 || std::abs(sum) > kCrowded * count;
 }
 
-class CameraScaleEffect final : public Effect {
+class CameraScaleEffect final : public EffectOfHead {
  public:
-  EffectDescription Describe() const override {
-    EffectDescription d{"camera_scale",
-                        "the camera's millimetres per pixel are off",
-                        "d ruler = s v, v = reading - its nearest ruling",
-                        "scale [1]",
-                        {},
-                        "measurement kind straight_edge, measurement.head.pitch",
-                        "1 % of the offset from the nearest ruling [PHYSICS.md S8]"};
-    d.has_joint = false;
-    d.of_instrument = true;
-    d.of_head = true;
-    return d;
-  }
-  std::string NotTestable(const PhysicsContext& c,
-                          const EffectRequest& /*request*/) const override {
-    std::string missing = HeadRows::Missing(c);
+  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
+    std::string missing = EffectOfHead::NotTestable(c, request);
     if (!missing.empty()) return missing;
     if (!c.robot().head->pitch) {
       return "the file does not say how far apart the rulings are (measurement.head.pitch_mm)";
@@ -80,11 +66,6 @@ class CameraScaleEffect final : public Effect {
       return Eigen::Vector3d(OffsetInTheImage(c, row, seen), 0, 0);
     };
     return {rows.Column("scale", "1", 1e-2, error)};
-  }
-  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override {
-    EffectRequest request;
-    request.effect = "camera_scale";
-    return {request};
   }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"reading", "sensor", "offset in the image"};
@@ -103,6 +84,17 @@ class CameraScaleEffect final : public Effect {
     example.slot = "base_x";
     example.expected = -2.9916842735370868e-06;
     return example;
+  }
+
+ private:
+  EffectDescription Words() const override {
+    return {"camera_scale",
+            "the camera's millimetres per pixel are off",
+            "d ruler = s v, v = reading - its nearest ruling",
+            "scale [1]",
+            {},
+            "measurement kind straight_edge, measurement.head.pitch",
+            "1 % of the offset from the nearest ruling [PHYSICS.md S8]"};
   }
 };
 

@@ -20,25 +20,8 @@ constexpr double kChord = 0.5;  // [m]
 
 double Squared(double x) { return x * x; }
 
-class EdgeBowEffect final : public Effect {
+class EdgeBowEffect final : public EffectOfHead {
  public:
-  EffectDescription Describe() const override {
-    EffectDescription d{"edge_bow",
-                        "the straight edge is bowed along its rulings",
-                        "d height = k (x - x0)^2 / (2 u.z), d ruler = k (x - x0)^2 u.x / (2 u.z)",
-                        "curvature [1/m]",
-                        {},
-                        "measurement kind straight_edge",
-                        "1e-3 1/m: 30 um over 0.5 m [PHYSICS.md S4]"};
-    d.has_joint = false;
-    d.of_instrument = true;
-    d.of_head = true;
-    return d;
-  }
-  std::string NotTestable(const PhysicsContext& c,
-                          const EffectRequest& /*request*/) const override {
-    return HeadRows::Missing(c);
-  }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& /*request*/) const override {
     const HeadRows rows(c);
@@ -50,11 +33,6 @@ class EdgeBowEffect final : public Effect {
                              rise(seen.lasers[1]) * seen.lasers[1].length_by_plane());
     };
     return {rows.Column("curvature", "1/m", 1e-3, error)};
-  }
-  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override {
-    EffectRequest request;
-    request.effect = "edge_bow";
-    return {request};
   }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"edge", "sensor", "ruler"};
@@ -78,6 +56,17 @@ class EdgeBowEffect final : public Effect {
     example.slot = "base_z";
     example.expected = -0.08626816654743924;
     return example;
+  }
+
+ private:
+  EffectDescription Words() const override {
+    return {"edge_bow",
+            "the straight edge is bowed along its rulings",
+            "d height = k (x - x0)^2 / (2 u.z), d ruler = k (x - x0)^2 u.x / (2 u.z)",
+            "curvature [1/m]",
+            {},
+            "measurement kind straight_edge",
+            "1e-3 1/m: 30 um over 0.5 m [PHYSICS.md S4]"};
   }
 };
 

@@ -14,25 +14,8 @@
 namespace dhcal {
 namespace {
 
-class EdgeMisalignmentEffect final : public Effect {
+class EdgeMisalignmentEffect final : public EffectOfHead {
  public:
-  EffectDescription Describe() const override {
-    EffectDescription d{"edge_misalignment",
-                        "the ruled face of the edge is not parallel to the flat one",
-                        "d ruler = p (x - x0) u.x / u.z",
-                        "pitch [rad]",
-                        {},
-                        "measurement kind straight_edge, the tool tilted along the edge",
-                        "0.1 mrad [PHYSICS.md S5]"};
-    d.has_joint = false;
-    d.of_instrument = true;
-    d.of_head = true;
-    return d;
-  }
-  std::string NotTestable(const PhysicsContext& c,
-                          const EffectRequest& /*request*/) const override {
-    return HeadRows::Missing(c);
-  }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& /*request*/) const override {
     const HeadRows rows(c);
@@ -41,11 +24,6 @@ class EdgeMisalignmentEffect final : public Effect {
       return Eigen::Vector3d(along * seen.camera.ruler_by_plane(), 0, 0);
     };
     return {rows.Column("pitch", "rad", 1e-4, error)};
-  }
-  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override {
-    EffectRequest request;
-    request.effect = "edge_misalignment";
-    return {request};
   }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"C10", "sensor", "ruler and tilt"};
@@ -64,6 +42,17 @@ class EdgeMisalignmentEffect final : public Effect {
     example.slot = "base_x";
     example.expected = -0.020750360569491987;
     return example;
+  }
+
+ private:
+  EffectDescription Words() const override {
+    return {"edge_misalignment",
+            "the ruled face of the edge is not parallel to the flat one",
+            "d ruler = p (x - x0) u.x / u.z",
+            "pitch [rad]",
+            {},
+            "measurement kind straight_edge, the tool tilted along the edge",
+            "0.1 mrad [PHYSICS.md S5]"};
   }
 };
 

@@ -28,24 +28,8 @@ constexpr Power kPowers[] = {{"gain", "1", 1e-3, 1, 1e-2, "%"},
                              {"quadratic", "1/m", 4e-2, 2, 1e-2, "um at 10 mm, squared"},
                              {"cubic", "1/m^2", 1.6, 3, 1, "um at 10 mm, cubed"}};
 
-class LaserLinearityEffect final : public Effect {
+class LaserLinearityEffect final : public EffectOfLaser {
  public:
-  EffectDescription Describe() const override {
-    EffectDescription d{"laser_linearity",
-                        "the reading of a laser is no linear function of the distance",
-                        "d height = g t + a t^2 + b t^3, t = height - its mean",
-                        "gain_laser<k> [1], quadratic_laser<k> [1/m], cubic_laser<k> [1/m^2]",
-                        {{"laser", "1 or 2"}},
-                        "measurement kind straight_edge",
-                        "25 um at 25 mm from the middle [PHYSICS.md S6]"};
-    d.has_joint = false;
-    d.of_instrument = true;
-    d.of_head = true;
-    return d;
-  }
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    return CheckLaser(c, request);
-  }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
     const HeadRows rows(c);
@@ -62,9 +46,6 @@ class LaserLinearityEffect final : public Effect {
                          });
     };
     return {column(kPowers[0]), column(kPowers[1]), column(kPowers[2])};
-  }
-  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override {
-    return EveryLaser("laser_linearity");
   }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"reading", "sensor", "height"};
@@ -93,6 +74,17 @@ class LaserLinearityEffect final : public Effect {
     example.slot = "base_z";
     example.expected = -0.0024061797129393816;
     return example;
+  }
+
+ private:
+  EffectDescription Words() const override {
+    return {"laser_linearity",
+            "the reading of a laser is no linear function of the distance",
+            "d height = g t + a t^2 + b t^3, t = height - its mean",
+            "gain_laser<k> [1], quadratic_laser<k> [1/m], cubic_laser<k> [1/m^2]",
+            {{"laser", "1 or 2"}},
+            "measurement kind straight_edge",
+            "25 um at 25 mm from the middle [PHYSICS.md S6]"};
   }
 };
 

@@ -24,24 +24,8 @@ Eigen::Vector3d AcrossOf(const Eigen::Vector3d& beam) {
   return (axis - axis.dot(beam) * beam).normalized();
 }
 
-class LaserTiltEffect final : public Effect {
+class LaserTiltEffect final : public EffectOfLaser {
  public:
-  EffectDescription Describe() const override {
-    EffectDescription d{"laser_tilt",
-                        "the beam of a laser points elsewhere than the file says",
-                        "d height = -height (w x u).z / u.z",
-                        "first_laser<k> [rad], second_laser<k> [rad]",
-                        {{"laser", "1 or 2"}},
-                        "measurement kind straight_edge",
-                        "1-5 mrad [PHYSICS.md S7]"};
-    d.has_joint = false;
-    d.of_instrument = true;
-    d.of_head = true;
-    return d;
-  }
-  std::string NotTestable(const PhysicsContext& c, const EffectRequest& request) const override {
-    return CheckLaser(c, request);
-  }
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& request) const override {
     const HeadRows rows(c);
@@ -63,9 +47,6 @@ class LaserTiltEffect final : public Effect {
                          });
     };
     return {column("first", first), column("second", beam.cross(first))};
-  }
-  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override {
-    return EveryLaser("laser_tilt");
   }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"C10", "sensor", "tilt"};
@@ -92,6 +73,17 @@ class LaserTiltEffect final : public Effect {
     example.slot = "base_z";
     example.expected = 0.0007791171382310492;
     return example;
+  }
+
+ private:
+  EffectDescription Words() const override {
+    return {"laser_tilt",
+            "the beam of a laser points elsewhere than the file says",
+            "d height = -height (w x u).z / u.z",
+            "first_laser<k> [rad], second_laser<k> [rad]",
+            {{"laser", "1 or 2"}},
+            "measurement kind straight_edge",
+            "1-5 mrad [PHYSICS.md S7]"};
   }
 };
 

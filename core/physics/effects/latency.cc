@@ -46,11 +46,6 @@ class LatencyEffect final : public Effect {
     }
     return {column};
   }
-  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override {
-    EffectRequest request;
-    request.effect = "latency";
-    return {request};
-  }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"timing", "sensor", "joint speed"};
   }

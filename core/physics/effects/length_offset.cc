@@ -58,12 +58,6 @@ class LengthOffsetEffect final : public Effect {
     return columns;
   }
 
-  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override {
-    EffectRequest request;
-    request.effect = "length_offset";
-    return {request};
-  }
-
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"geometry", "sensor", "constant"};
   }

@@ -49,11 +49,6 @@ class SensorScaleEffect final : public Effect {
     }
     return {column};
   }
-  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override {
-    EffectRequest request;
-    request.effect = "sensor_scale";
-    return {request};
-  }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"C7", "sensor", "distance"};
   }

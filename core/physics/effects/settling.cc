@@ -59,11 +59,6 @@ class SettlingEffect final : public Effect {
     }
     return {column};
   }
-  std::vector<EffectRequest> Candidates(const PhysicsContext& /*c*/) const override {
-    EffectRequest request;
-    request.effect = "settling";
-    return {request};
-  }
   EffectPlace Place(const PhysicsContext& /*c*/, const EffectRequest& /*request*/) const override {
     return {"C4", "all joints", "last move"};
   }
