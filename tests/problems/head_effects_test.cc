@@ -10,7 +10,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/base/rng.h"
 #include "core/kinematics/head_sight.h"
 #include "core/kinematics/inverse_kinematics.h"
 #include "core/physics/registry.h"
@@ -96,12 +95,7 @@ Isometry3d PoseOverEdge(const ProblemSpec& spec,
                         const independent::HeadTruth& truth,
                         const Recording& rows,
                         int row) {
-  Isometry3d X_BQ;
-  X_BQ.matrix() = independent::ForwardKinematics<double>(spec.robot,
-                                                         rows.q.row(row).transpose(),
-                                                         truth.delta,
-                                                         Isometry3d::Identity(),
-                                                         spec.robot.X_TQ);
+  const Isometry3d X_BQ(independent::PoseOfRow(spec, truth, rows, row));
   return truth.edges.at(rows.edge_names[static_cast<std::size_t>(rows.edge(row))]).inverse() * X_BQ;
 }
 
@@ -118,20 +112,11 @@ Recording RecordFaulty(const ProblemSpec& spec,
                        const HeadFaults& faults,
                        double noise,
                        std::uint64_t seed) {
-  Rng rng(seed);
-  Recording recording = rows;
-  recording.head.resize(rows.num_rows(), 3);
-  for (int row = 0; row < rows.num_rows(); ++row) {
-    constexpr double kRuler0 = 0.3;
-    const Vector3d numbers =
-        FaultyNumbers(spec.measurement.head, faults, PoseOverEdge(spec, truth, rows, row), kRuler0);
-    for (int c = 0; c < 3; ++c) {
-      const double sigma =
-          noise * spec.measurement.kind.coordinates[static_cast<std::size_t>(c)].noise;
-      recording.head(row, c) = numbers[c] + sigma * rng.Normal();
-    }
-  }
-  return recording;
+  constexpr double kRuler0 = 0.3;
+  return independent::RecordNumbers(spec, rows, noise, seed, [&](int row) {
+    return FaultyNumbers(
+        spec.measurement.head, faults, PoseOverEdge(spec, truth, rows, row), kRuler0);
+  });
 }
 
 Recording RowsOverEdges(const ProblemSpec& spec) {

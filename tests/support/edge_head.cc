@@ -84,24 +84,31 @@ HeadTruth MakeHeadTruth(const ProblemSpec& spec, std::uint64_t seed) {
   return truth;
 }
 
+Matrix4<double> PoseOfRow(const ProblemSpec& spec,
+                          const HeadTruth& truth,
+                          const Recording& rows,
+                          int row_idx) {
+  return ForwardKinematics<double>(spec.robot,
+                                   rows.q.row(row_idx).transpose(),
+                                   truth.delta,
+                                   Eigen::Isometry3d::Identity(),
+                                   spec.robot.X_TQ);
+}
+
 Eigen::Vector3d NumbersOfRow(const ProblemSpec& spec,
                              const HeadTruth& truth,
                              const Recording& rows,
                              int row_idx) {
-  const Matrix4<double> X_BQ = ForwardKinematics<double>(spec.robot,
-                                                         rows.q.row(row_idx).transpose(),
-                                                         truth.delta,
-                                                         Eigen::Isometry3d::Identity(),
-                                                         spec.robot.X_TQ);
+  const Matrix4<double> X_BQ = PoseOfRow(spec, truth, rows, row_idx);
   const Matrix4<double> X_BE = truth.edges.at(rows.edge_names[rows.edge(row_idx)]).matrix();
   return HeadNumbers<double>(spec.measurement.head, X_BQ, X_BE);
 }
 
-Recording RecordHead(const ProblemSpec& spec,
-                     const HeadTruth& truth,
-                     const Recording& rows,
-                     double noise,
-                     std::uint64_t seed) {
+Recording RecordNumbers(const ProblemSpec& spec,
+                        const Recording& rows,
+                        double noise,
+                        std::uint64_t seed,
+                        const std::function<Eigen::Vector3d(int row_idx)>& numbers) {
   Rng rng(seed);
   Recording recording = rows;
   recording.head.resize(rows.num_rows(), 3);
@@ -110,9 +117,18 @@ Recording RecordHead(const ProblemSpec& spec,
     for (int c = 0; c < 3; ++c) {
       error[c] *= spec.measurement.kind.coordinates[static_cast<std::size_t>(c)].noise;
     }
-    recording.head.row(row) = NumbersOfRow(spec, truth, rows, row) + error;
+    recording.head.row(row) = numbers(row) + error;
   }
   return recording;
+}
+
+Recording RecordHead(const ProblemSpec& spec,
+                     const HeadTruth& truth,
+                     const Recording& rows,
+                     double noise,
+                     std::uint64_t seed) {
+  return RecordNumbers(
+      spec, rows, noise, seed, [&](int row) { return NumbersOfRow(spec, truth, rows, row); });
 }
 
 Eigen::MatrixXd HeadJacobian(const ProblemSpec& spec,

@@ -4,6 +4,7 @@
 #define DHCAL_TESTS_SUPPORT_EDGE_HEAD_H_
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -56,11 +57,24 @@ struct HeadTruth {
 /// stand elsewhere by centimetres and degrees.
 HeadTruth MakeHeadTruth(const ProblemSpec& spec, std::uint64_t seed);
 
+/// X_BQ of a row.
+Matrix4<double> PoseOfRow(const ProblemSpec& spec,
+                          const HeadTruth& truth,
+                          const Recording& rows,
+                          int row_idx);
+
 /// The numbers that a head reads at a row.
 Eigen::Vector3d NumbersOfRow(const ProblemSpec& spec,
                              const HeadTruth& truth,
                              const Recording& rows,
                              int row_idx);
+
+/// `rows` with head readings of these numbers [m], each sensor with its noise times `noise`.
+Recording RecordNumbers(const ProblemSpec& spec,
+                        const Recording& rows,
+                        double noise,
+                        std::uint64_t seed,
+                        const std::function<Eigen::Vector3d(int row_idx)>& numbers);
 
 /// `rows` with head readings of the true robot, each sensor with its noise times `noise` [m].
 Recording RecordHead(const ProblemSpec& spec,
