@@ -36,24 +36,28 @@ SolverOptions OptionsOf(const SolverSpec& spec) {
   return options;
 }
 
-Fit RunFit(const Calibration& calibration,
-           SolverMethod method,
-           const SolverOptions& options,
-           const Noise& initial_noise,
-           const Progress& progress,
-           const Eigen::VectorXd& start) {
-  SolverOptions with_progress = options;
+FitSettings SettingsOf(const Calibration& calibration, const Progress& progress) {
+  FitSettings settings;
+  settings.solver = OptionsOf(calibration.spec.solver);
+  settings.noise = InitialNoise(calibration);
+  settings.progress = progress;
+  return settings;
+}
+
+Fit RunFit(const Calibration& calibration, const FitSettings& settings) {
+  SolverOptions with_progress = settings.solver;
   with_progress.progress = [&](const IterationRecord& record) {
-    if (!progress) return;
-    progress({fmt::format("fit, {} step {}", ToString(method), record.iteration)});
+    if (!settings.progress) return;
+    settings.progress(
+        {fmt::format("fit, {} step {}", ToString(settings.method), record.iteration)});
   };
   Fit fit;
-  fit.method = method;
-  fit.noise = initial_noise;
+  fit.method = settings.method;
+  fit.noise = settings.noise;
   double seconds = 0;
   const bool robust = calibration.spec.solver.loss != LossKind::kNone;
   fit.problem = std::make_shared<CalibrationProblem>(calibration, fit.noise, /*with_loss=*/false);
-  if (start.size() > 0) fit.problem->set_state(start);
+  if (settings.start.size() > 0) fit.problem->set_state(settings.start);
   const Eigen::VectorXd first = fit.problem->state();
   for (int round = 0; round < kMostNoiseRounds; ++round) {
     // A robust loss gives readings that are far off no weight, and at the start all of them are:
@@ -66,13 +70,14 @@ Fit RunFit(const Calibration& calibration,
       fit.problem->Rewhiten(fit.noise);
       if (!robust) fit.problem->set_state(first);
     }
-    fit.summary = MakeSolver(method)->Solve(with_progress, fit.problem.get());
+    fit.summary = MakeSolver(settings.method)->Solve(with_progress, fit.problem.get());
     seconds += fit.summary.seconds;
     fit.summary.seconds = seconds;
     if (!fit.summary.IsSolutionUsable()) break;
     const int rank = fit.summary.trace.empty() ? 0 : fit.summary.trace.back().rank;
     fit.noise_seen = NoiseFromResiduals(calibration, *fit.problem, fit.noise, rank);
-    const bool settled = !DependsOnNoise(calibration, options) || Agree(fit.noise_seen, fit.noise);
+    const bool settled =
+        !DependsOnNoise(calibration, settings.solver) || Agree(fit.noise_seen, fit.noise);
     fit.noise_settled = settled && (round > 0 || !robust);
     if (fit.noise_settled) break;
     if (round + 1 < kMostNoiseRounds) fit.noise = fit.noise_seen;
@@ -80,25 +85,23 @@ Fit RunFit(const Calibration& calibration,
   return fit;
 }
 
-Fit RunBentFit(SolverMethod method,
-               const SolverOptions& options,
-               const Noise& initial_noise,
-               const Progress& progress,
-               const Eigen::VectorXd& start,
-               Calibration* c) {
-  if (c->effects.empty()) return RunFit(*c, method, options, initial_noise, progress, start);
+Fit RunBentFit(const FitSettings& settings, Calibration* c) {
+  if (c->effects.empty()) return RunFit(*c, settings);
   // What is held bends the arm already.
-  const bool near = start.size() > 0;
+  const bool near = settings.start.size() > 0;
   const Eigen::VectorXd nominal =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(c->parameters.size()));
-  for (int turn = 0; turn < kBends; ++turn) c->Bend(near ? start : nominal);
-  Fit fit = RunFit(*c, method, options, initial_noise, progress, start);
+  for (int turn = 0; turn < kBends; ++turn) c->Bend(near ? settings.start : nominal);
+  Fit fit = RunFit(*c, settings);
   if (near || c->effect_columns.empty()) return fit;
+  FitSettings again = settings;
   // The arm of the second turn differs from the third's by the square of what bends it.
   for (int turn = 0; turn < kBends && fit.summary.IsSolutionUsable(); ++turn) {
     const Fit before = fit;
     c->Bend(before.summary.state);
-    fit = RunFit(*c, method, options, before.noise_seen, progress, before.summary.state);
+    again.noise = before.noise_seen;
+    again.start = before.summary.state;
+    fit = RunFit(*c, again);
     fit.summary.seconds += before.summary.seconds;
   }
   return fit;

@@ -26,26 +26,27 @@ struct Fit {
 /// Solver options as the problem file sets them.
 SolverOptions OptionsOf(const SolverSpec& spec);
 
-/// Solves from the calibration's start, or from the state `start` where it is not empty. Where the
-/// noise is to be estimated and the solution depends on it (noise rule, robust loss, two kinds of
-/// reading), solves again from the start until the noise that the residuals show agrees with the
-/// one assumed to 1 %.
-Fit RunFit(const Calibration& calibration,
-           SolverMethod method,
-           const SolverOptions& options,
-           const Noise& initial_noise,
-           const Progress& progress,
-           const Eigen::VectorXd& start = {});
+/// How a calibration is solved.
+struct FitSettings {
+  SolverMethod method = SolverMethod::kSvdGaussNewton;
+  SolverOptions solver;
+  Noise noise;            // that whitens the first solve
+  Progress progress;      // may be empty
+  Eigen::VectorXd start;  // a state near the solution; empty = the calibration's own start
+};
+
+/// SVD-Gauss-Newton as the problem file sets it, from the noise that is known before any fit.
+FitSettings SettingsOf(const Calibration& calibration, const Progress& progress = {});
+
+/// Solves. Where the noise is to be estimated and the solution depends on it (noise rule, robust
+/// loss, two kinds of reading), solves again from the start until the noise that the residuals show
+/// agrees with the one assumed to 1 %.
+Fit RunFit(const Calibration& calibration, const FitSettings& settings);
 
 /// The same for a calibration with effects: they load the arm that the fit finds, so it is fitted
-/// again on that arm, and the calibration keeps it. Without effects RunFit alone. `start` (may be
-/// empty): a state near the solution, whose arm is good enough.
-Fit RunBentFit(SolverMethod method,
-               const SolverOptions& options,
-               const Noise& initial_noise,
-               const Progress& progress,
-               const Eigen::VectorXd& start,
-               Calibration* calibration);
+/// again on that arm, and the calibration keeps it. Without effects RunFit alone. The arm of a
+/// start that is given is good enough.
+Fit RunBentFit(const FitSettings& settings, Calibration* calibration);
 
 }  // namespace dhcal
 

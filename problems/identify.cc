@@ -179,15 +179,14 @@ Result IdentifyGeometry(const ProblemSpec& spec,
     result.base_and_tool_only =
         Baseline{frames_alone->rms, frames_alone->rms_point, frames_alone->max_point};
   }
-  const Noise noise = InitialNoise(c);
+  FitSettings settings = SettingsOf(c, progress);
   std::vector<Fit> fits;
   for (const SolverMethod method : Methods(spec.solver.method)) {
+    settings.method = method;
     const bool known = !fits.empty() && fits[0].summary.IsSolutionUsable();
-    const Noise& start = known ? fits[0].noise_seen : noise;
-    const SolverOptions options = OptionsOf(spec.solver);
+    if (known) settings.noise = fits[0].noise_seen;
     // The second solver is compared on the arm that the first has found.
-    fits.push_back(known ? RunFit(c, method, options, start, progress)
-                         : RunBentFit(method, options, start, progress, {}, &c));
+    fits.push_back(known ? RunFit(c, settings) : RunBentFit(settings, &c));
   }
   DescribeFits(c, fits, &result);
   AddNotes(c, fits, &result);

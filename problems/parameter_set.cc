@@ -23,20 +23,24 @@ Parameter MakeParameter(const SlotLayout& slots, int slot, ParameterGroup group)
   return parameter;
 }
 
+/// The copies of a frame: one of each run, edge or target; without suffixes one for all rows.
+struct FrameCopies {
+  ParameterScope::Kind scope = ParameterScope::Kind::kRun;
+  std::vector<std::string> suffixes;
+};
+
 void AddFrame(const SlotLayout& slots,
-              int first_slot,
               ParameterGroup group,
-              const std::vector<std::string>& suffixes,
-              ParameterScope::Kind scope,
+              const FrameCopies& copies,
               std::vector<Parameter>* all) {
-  // No suffix: one frame for all rows.
-  const std::size_t count = std::max<std::size_t>(suffixes.size(), 1);
+  const int first_slot = group == ParameterGroup::kBase ? slots.base(0) : slots.tool(0);
+  const std::size_t count = std::max<std::size_t>(copies.suffixes.size(), 1);
   for (std::size_t copy = 0; copy < count; ++copy) {
     for (int component = 0; component < SlotLayout::kPerFrame; ++component) {
       Parameter parameter = MakeParameter(slots, first_slot + component, group);
-      if (!suffixes.empty()) {
-        parameter.name += "." + suffixes[copy];
-        parameter.scope = {scope, static_cast<int>(copy)};
+      if (!copies.suffixes.empty()) {
+        parameter.name += "." + copies.suffixes[copy];
+        parameter.scope = {copies.scope, static_cast<int>(copy)};
       }
       all->push_back(parameter);
     }
@@ -51,31 +55,16 @@ std::vector<Parameter> AllParameters(const RobotModel& robot, const Recording& r
       all.push_back(MakeParameter(slots, slots.joint(joint, number.slot), number.group));
     }
   }
-  const std::vector<std::string> runs =
-      recording.run_names.empty() ? std::vector<std::string>{"1"} : recording.run_names;
-  if (robot.base_per_edge) {
-    AddFrame(slots,
-             slots.base(0),
-             ParameterGroup::kBase,
-             recording.edge_names,
-             ParameterScope::Kind::kEdge,
-             &all);
-  } else {
-    AddFrame(slots,
-             slots.base(0),
-             ParameterGroup::kBase,
-             robot.base_per_run ? runs : std::vector<std::string>(),
-             ParameterScope::Kind::kRun,
-             &all);
-  }
-  std::vector<std::string> targets;
-  for (const Target& target : robot.targets) targets.push_back(target.name);
-  if (robot.tool_per_run) {
-    AddFrame(slots, slots.tool(0), ParameterGroup::kTool, runs, ParameterScope::Kind::kRun, &all);
-  } else {
-    AddFrame(
-        slots, slots.tool(0), ParameterGroup::kTool, targets, ParameterScope::Kind::kTarget, &all);
-  }
+  FrameCopies runs{ParameterScope::Kind::kRun, recording.run_names};
+  if (runs.suffixes.empty()) runs.suffixes = {"1"};
+  FrameCopies bases;
+  if (robot.base_per_run) bases = runs;
+  if (robot.base_per_edge) bases = {ParameterScope::Kind::kEdge, recording.edge_names};
+  AddFrame(slots, ParameterGroup::kBase, bases, &all);
+  FrameCopies tools{ParameterScope::Kind::kTarget, {}};
+  for (const Target& target : robot.targets) tools.suffixes.push_back(target.name);
+  if (robot.tool_per_run) tools = runs;
+  AddFrame(slots, ParameterGroup::kTool, tools, &all);
   return all;
 }
 

@@ -128,10 +128,9 @@ std::optional<ResidualStatistics> FitFramesAlone(Calibration* c, const Progress&
                                 }),
                  unknowns.end());
   if (unknowns.empty()) return std::nullopt;
-  SolverOptions options = OptionsOf(c->spec.solver);
-  options.truncation = Truncation();
-  const Fit fit = RunFit(
-      frames_only, SolverMethod::kSvdGaussNewton, options, InitialNoise(frames_only), progress);
+  FitSettings settings = SettingsOf(frames_only, progress);
+  settings.solver.truncation = Truncation();
+  const Fit fit = RunFit(frames_only, settings);
   if (!fit.summary.IsSolutionUsable()) return std::nullopt;
   const ResidualStatistics left =
       Statistics(frames_only, fit.summary.state, frames_only.readings.fitted);

@@ -113,11 +113,17 @@ struct CurvePoint {
 
 struct Unexplained {
   double fraction = kUnknown;  // of the misfit above the noise
-  std::string slot, driver;
-  std::string driver_unit;    // SI, of CurvePoint::driver_value; empty = not known
-  Unit unit = Unit::kRadian;  // of CurvePoint::amount
-  double rms = kUnknown;      // [m]
+  std::string slot, driver;    // empty where no place stands out
+  std::string driver_unit;     // SI, of CurvePoint::driver_value; empty = not known
+  Unit unit = Unit::kRadian;   // of CurvePoint::amount
+  double rms = kUnknown;       // [m]
   std::vector<CurvePoint> curve;
+
+  void ForgetPlace() {
+    slot.clear();
+    driver.clear();
+    curve.clear();
+  }
 };
 
 /// What cannot be seen, and what it could do.

@@ -1,5 +1,6 @@
 #include "core/physics/gravity.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/QR>
@@ -183,6 +184,16 @@ int FirstLoadedJoint(const PhysicsContext& context) {
     if (GravityLoads(context, joint)) return joint;
   }
   return -1;
+}
+
+double SoftnessOfSize(const PhysicsContext& c) {
+  constexpr double kUsualTorque = 100;   // [N m] at the shoulder
+  constexpr double kSmallestArm = 1e-3;  // of it
+  const int shoulder = FirstLoadedJoint(c);
+  if (c.robot().links.empty() || shoulder < 0 || !c.revolute(shoulder)) return 1;
+  const double torque =
+      GravityTorque(c, MassCases(c, shoulder).front(), shoulder).cwiseAbs().maxCoeff();
+  return kUsualTorque / std::clamp(torque, kSmallestArm * kUsualTorque, kUsualTorque);
 }
 
 }  // namespace dhcal

@@ -73,6 +73,11 @@ bool GravityLoads(const PhysicsContext& context, int joint);
 /// The first joint that gravity loads, or -1.
 int FirstLoadedJoint(const PhysicsContext& context);
 
+/// Arms yield by like angles, whatever their size: by how much more per newton metre a small one
+/// does than the arms of 10 kg and more whose usual sizes PHYSICS.md has (E1, E4). 1 for those, and
+/// where no masses are given.
+double SoftnessOfSize(const PhysicsContext& context);
+
 }  // namespace dhcal
 
 #endif  // DHCAL_CORE_PHYSICS_GRAVITY_H_

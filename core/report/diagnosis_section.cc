@@ -199,12 +199,15 @@ std::string TogetherWords(const MeasurementKind& kind, const DiagnosisResult& d)
 }
 
 std::string RestWords(const MeasurementKind& kind, const Unexplained& rest) {
-  return fmt::format("{:.0f} % of the misfit ({}, {}); largest at {}, where it depends on {}.",
+  const std::string place =
+      rest.slot.empty()
+          ? "no place stands out"
+          : fmt::format("largest at {}, where it depends on {}", rest.slot, rest.driver);
+  return fmt::format("{:.0f} % of the misfit ({}, {}); {}.",
                      100 * rest.fraction,
                      WithMillimetres(InSpace(kind, rest.rms)),
                      ErrorName(kind),
-                     rest.slot,
-                     rest.driver);
+                     place);
 }
 
 Table CurveTable(const Unexplained& rest) {

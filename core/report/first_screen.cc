@@ -93,7 +93,10 @@ std::vector<std::string> StepsToSettle(const DiagnosisResult& d) {
       break;
     }
   }
-  if (d.unexplained) {
+  if (d.unexplained && d.unexplained->slot.empty()) {
+    steps.emplace_back(
+        "Read a few poses several times: that tells whether the readings are noisier than stated.");
+  } else if (d.unexplained) {
     steps.push_back(
         fmt::format("Look at {}: what is not explained is largest there and depends on {}.",
                     d.unexplained->slot,

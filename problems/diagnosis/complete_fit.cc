@@ -83,12 +83,12 @@ Eigen::VectorXd SolveAll(const LinearModel& model, bool noise_given, Noise* nois
 /// curves held. Starts from `named` and the noise of `result`; ends with all effects as unknowns.
 /// Near the solution one turn does, for what couples curves and geometry is of second order.
 void FitCurves(const std::vector<EffectRequest>& all,
-               const std::vector<bool>& is_curve,
                std::map<std::string, double> named,
                int turns,
                const Progress& progress,
                CompleteFit* result) {
   Calibration& c = result->calibration;
+  const std::vector<bool> is_curve = AreCurves(c, all);
   const bool noise_given = SourceOfNoise(c).all_given();
   std::vector<EffectRequest> held = all;
   for (int turn = 0; turn < turns && result->usable(); ++turn) {
@@ -109,12 +109,10 @@ void FitCurves(const std::vector<EffectRequest>& all,
       }
     }
     c.SetEffects(held);
-    result->fit = RunFit(c,
-                         SolverMethod::kSvdGaussNewton,
-                         OptionsOf(result->spec.solver),
-                         noise,
-                         progress,
-                         StateOf(c, named));
+    FitSettings settings = SettingsOf(c, progress);
+    settings.noise = noise;
+    settings.start = StateOf(c, named);
+    result->fit = RunFit(c, settings);
     for (const auto& [name, value] : Named(c, result->state())) named[name] = value;
   }
   c.SetEffects(all);
@@ -129,12 +127,10 @@ CompleteFit::CompleteFit(const ProblemSpec& user_spec, const Recording& recordin
 std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
                                          const Recording& recording,
                                          const std::vector<EffectRequest>& effects,
-                                         const std::vector<Reading>* readings,
                                          const Progress& progress,
                                          const CompleteFit* near) {
   auto result = std::make_unique<CompleteFit>(spec, recording);
   Calibration& c = result->calibration;
-  if (readings != nullptr) c.readings.fitted = *readings;
   std::vector<EffectRequest> all = spec.parameters.effects;
   all.insert(all.end(), effects.begin(), effects.end());
   const std::vector<bool> is_curve = AreCurves(c, all);
@@ -142,7 +138,7 @@ std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
   if (curves && near != nullptr) {
     c.frames = near->calibration.frames;
     result->fit = near->fit;
-    FitCurves(all, is_curve, Named(near->calibration, near->state()), 1, progress, result.get());
+    FitCurves(all, Named(near->calibration, near->state()), 1, progress, result.get());
     return result;
   }
   AlignStart(&c);
@@ -150,9 +146,8 @@ std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
   std::vector<EffectRequest> at_zero = all;
   for (std::size_t k = 0; k < all.size(); ++k) at_zero[k].held = all[k].held || is_curve[k];
   c.SetEffects(at_zero);
-  result->fit = RunFit(
-      c, SolverMethod::kSvdGaussNewton, OptionsOf(result->spec.solver), InitialNoise(c), progress);
-  if (curves) FitCurves(all, is_curve, Named(c, result->state()), 2, progress, result.get());
+  result->fit = RunFit(c, SettingsOf(c, progress));
+  if (curves) FitCurves(all, Named(c, result->state()), 2, progress, result.get());
   return result;
 }
 

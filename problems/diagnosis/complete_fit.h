@@ -25,13 +25,12 @@ struct CompleteFit {
   bool usable() const { return fit.summary.IsSolutionUsable(); }
 };
 
-/// Fits geometry and `effects` (besides those of the problem file) to `readings`, from the aligned
-/// start. `near` (may be null): a fit of the same readings with other effects, from which a fit
-/// with curves starts, since each of its rounds takes seconds on thousands of rows.
+/// Fits geometry and `effects` (besides those of the problem file) from the aligned start. `near`
+/// (may be null): a fit of the same readings with other effects, from which a fit with curves
+/// starts, since each of its rounds takes seconds on thousands of rows.
 std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
                                          const Recording& recording,
                                          const std::vector<EffectRequest>& effects,
-                                         const std::vector<Reading>* readings,
                                          const Progress& progress,
                                          const CompleteFit* near = nullptr);
 

@@ -156,12 +156,12 @@ Finding DescribeConcealed(const HeldFit& without,
 
 }  // namespace
 
-std::unique_ptr<HeldFit> AddConcealedFrames(const ProblemSpec& spec,
-                                            const Recording& recording,
-                                            const Result& identified,
-                                            const CompleteFit& complete,
-                                            const std::vector<Completion>& completions,
-                                            DiagnosisResult* d) {
+DiagnosisResult ConcealedFrames(const ProblemSpec& spec,
+                                const Recording& recording,
+                                const Result& identified,
+                                const CompleteFit& complete,
+                                const std::vector<Completion>& completions) {
+  DiagnosisResult d;
   const Noise& noise = complete.fit.noise_seen;
   ProblemSpec freed = spec;
   auto fit = FitHeld(freed, recording, noise);
@@ -171,19 +171,19 @@ std::unique_ptr<HeldFit> AddConcealedFrames(const ProblemSpec& spec,
     if (!with) break;
     const std::vector<RowCorrection> own =
         fit->usable() ? Implausible(*fit, identified) : std::vector<RowCorrection>();
-    d->findings.push_back(DescribeConcealed(*fit, *with, left[k], own));
-    AddMoved(own, *with, d);
+    d.findings.push_back(DescribeConcealed(*fit, *with, left[k], own));
+    AddMoved(own, *with, &d);
     freed = WithCompletion(freed, left[k]);
     left.erase(left.begin() + static_cast<long>(k));
     fit = std::move(with);
   }
   if (fit->usable() && !Plausible(*fit)) {
-    d->notes.push_back(fmt::format(
+    d.notes.push_back(fmt::format(
         "The fit changes {}. Manufacture and mastering do not err so far, and no frame explains "
         "it: check these values of the file, and the joints' zeros and signs.",
         Amounts(ImplausibleCorrections(*fit))));
   }
-  return fit;
+  return d;
 }
 
 }  // namespace dhcal

@@ -15,14 +15,14 @@
 
 namespace dhcal {
 
-/// Frees the completions that make implausible corrections needless, and adds a finding for each.
-/// Returns the fit with them freed (the file's own where there is none).
-std::unique_ptr<HeldFit> AddConcealedFrames(const ProblemSpec& spec,
-                                            const Recording& recording,
-                                            const Result& identified,
-                                            const CompleteFit& complete,
-                                            const std::vector<Completion>& completions,
-                                            DiagnosisResult* diagnosis);
+/// Findings, notes and moved parameters: a finding for each of the completions (of the file's
+/// parameters to those of `complete`) whose freedom makes implausible corrections of `identified`
+/// needless.
+DiagnosisResult ConcealedFrames(const ProblemSpec& spec,
+                                const Recording& recording,
+                                const Result& identified,
+                                const CompleteFit& complete,
+                                const std::vector<Completion>& completions);
 
 }  // namespace dhcal
 

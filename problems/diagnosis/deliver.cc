@@ -37,26 +37,21 @@ class OwnFit {
          const DiagnosisResult* d,
          const Progress& progress)
       : spec(problem), calibration(spec, recording) {
-    Eigen::VectorXd start;
+    FitSettings settings;
     const bool same_frames = problem.robot.base_per_run == user.robot.base_per_run &&
                              problem.robot.tool_per_run == user.robot.tool_per_run;
     if (d != nullptr && same_frames) {
       calibration.frames = AlignedFrames(user, recording);
       calibration.UpdateEffects();
-      start = StartAt(*d);
+      settings = SettingsOf(calibration, progress);
+      settings.start = StartAt(*d);
+      if (!SourceOfNoise(calibration).sigma_given) settings.noise.sigma = d->misfit.noise_sigma;
     } else {
       AlignStart(&calibration);
       FitFramesAlone(&calibration, progress);
+      settings = SettingsOf(calibration, progress);
     }
-    Noise noise = InitialNoise(calibration);
-    const bool known = start.size() > 0 && !SourceOfNoise(calibration).sigma_given;
-    if (known) noise.sigma = d->misfit.noise_sigma;
-    fit = RunBentFit(SolverMethod::kSvdGaussNewton,
-                     OptionsOf(spec.solver),
-                     noise,
-                     progress,
-                     start,
-                     &calibration);
+    fit = RunBentFit(settings, &calibration);
   }
   OwnFit(const OwnFit&) = delete;
   OwnFit& operator=(const OwnFit&) = delete;

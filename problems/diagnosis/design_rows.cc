@@ -35,10 +35,12 @@ int MovingSlot(const Calibration& c, int joint) {
   return c.chain.slots().joint(joint, turns ? JointSlot::kTheta : JointSlot::kD);
 }
 
-/// Standard deviation of each coordinate of a row's reading.
-Eigen::VectorXd Sigmas(const Calibration& c, const Noise& noise, int row) {
+/// Standard deviation of each coordinate of a row's reading; 1 where rows are to be as read.
+Eigen::VectorXd Sigmas(const Calibration& c, const RowWeights& weights, int row) {
   const std::vector<MeasuredCoordinate>& coordinates = c.measurement->kind().coordinates;
-  Eigen::VectorXd sigma(static_cast<Eigen::Index>(coordinates.size()));
+  const Noise& noise = weights.noise;
+  Eigen::VectorXd sigma = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(coordinates.size()));
+  if (weights.as_read) return sigma;
   for (std::size_t k = 0; k < coordinates.size(); ++k) {
     const bool length = coordinates[k].unit == Unit::kMetre;
     sigma[static_cast<Eigen::Index>(k)] =
@@ -86,7 +88,7 @@ DesignRows::DesignRows(const Calibration& c,
                        const Eigen::VectorXd& state,
                        const Noise& noise,
                        const std::vector<Reading>& readings)
-    : DesignRows(c, DeltasAt(c, state, readings), RowWeights{noise, {}, {}, 0}, readings) {}
+    : DesignRows(c, DeltasAt(c, state, readings), RowWeights{false, noise, {}, {}, {}}, readings) {}
 
 DesignRows::DesignRows(const Calibration& c,
                        const Eigen::MatrixXd& deltas,
@@ -113,7 +115,7 @@ DesignRows::DesignRows(const Calibration& c,
   TakeOutOffsets(&y_);
   now_.conservativeResize(filled_, Eigen::NoChange);
   if (before_.rows() > 0) before_.conservativeResize(filled_, Eigen::NoChange);
-  if (weights.correlation != 0) WhitenSerially();
+  if (!weights.slow.none()) TakeOutSlowNoise();
   shared_.resize(filled_, 0);
   ShrinkSharedRounding();
 }
@@ -173,7 +175,7 @@ void DesignRows::AddReading(const Reading& reading) {
     J.rightCols(slots) = -BySlots(comparison.by_before, before);
     rounding += Rounding(J.rightCols(slots));
   }
-  const Eigen::VectorXd sigma = Sigmas(c_, weights_.noise, reading.row_idx);
+  const Eigen::VectorXd sigma = Sigmas(c_, weights_, reading.row_idx);
   Whiten(rounding, sigma, RootWeight(reading.row_idx), &y, &J);
   if (before_.rows() == 0) return Append(y, J, reading.row_idx, nullptr, -1);
   const Eigen::MatrixXd J_before = J.rightCols(slots);
@@ -197,7 +199,7 @@ void DesignRows::AddSeries(const std::vector<Reading>& readings) {
     // One number per row, so that what the offsets take stays a mean of rows.
     const double rounding = Rounding(last.J).trace() / coordinates_;
     const Eigen::VectorXd sigma =
-        (Sigmas(c_, weights_.noise, row).array().square() + rounding).sqrt() / RootWeight(row);
+        (Sigmas(c_, weights_, row).array().square() + rounding).sqrt() / RootWeight(row);
     if (last.series >= 0) {
       length2.resize(static_cast<std::size_t>(coordinates_) *
                      static_cast<std::size_t>(num_series_));
@@ -248,22 +250,25 @@ void DesignRows::AddSeries(const std::vector<Reading>& readings) {
   }
 }
 
-void DesignRows::WhitenSerially() {
-  CHECK(CanWhiten(c_));
-  const double rho = weights_.correlation, scale = 1 / std::sqrt(1 - rho * rho);
-  before_ = Eigen::MatrixXd::Zero(now_.rows(), now_.cols());
-  before_row_ = now_row_;
-  // From the end, so that the row before is still the original.
-  for (int k = num_rows() - 1; k >= coordinates_; --k) {
-    const int previous = k - coordinates_;
-    const int row = now_row_[static_cast<std::size_t>(k)];
-    const int row_before = now_row_[static_cast<std::size_t>(previous)];
-    if (c_.recording.run(row) != c_.recording.run(row_before)) continue;
-    before_.row(k) = rho * scale * now_.row(previous);
-    before_row_[static_cast<std::size_t>(k)] = row_before;
-    now_.row(k) *= scale;
-    y_[k] = scale * (y_[k] - rho * y_[previous]);
+ReadingOrder DesignRows::Order() const {
+  ReadingOrder order;
+  order.coordinates = coordinates_;
+  int sequence = 0;
+  for (int reading = 0; reading < num_readings(); ++reading) {
+    const int row = recording_row(reading);
+    const bool first = order.place.empty() || row < order.place.back() ||
+                       c_.recording.run(row) != c_.recording.run(order.place.back());
+    if (first) ++sequence;
+    order.sequence.push_back(sequence);
+    order.place.push_back(row);
   }
+  return order;
+}
+
+void DesignRows::TakeOutSlowNoise() {
+  CHECK(CanWhiten(c_));
+  slow_.emplace(weights_.slow, Order());
+  slow_->Whiten(y_);
 }
 
 void DesignRows::ShrinkSharedRounding() {
@@ -316,6 +321,7 @@ Eigen::VectorXd DesignRows::OwnColumn(const std::vector<SlotWeights>& slots) con
     }
   }
   TakeOutOffsets(&column);
+  if (slow_) slow_->Whiten(column);
   return column;
 }
 

@@ -11,12 +11,14 @@
 #ifndef DHCAL_PROBLEMS_DIAGNOSIS_DESIGN_ROWS_H_
 #define DHCAL_PROBLEMS_DIAGNOSIS_DESIGN_ROWS_H_
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include "core/kinematics/dh_chain.h"
+#include "core/math/slow_noise.h"
 #include "core/physics/effect.h"
 #include "problems/calibration.h"
 #include "problems/diagnosis/rows/read_out.h"
@@ -25,15 +27,17 @@ namespace dhcal {
 
 /// What whitens the readings.
 struct RowWeights {
+  /// Nothing does: rows are in metres and radians, whatever their noise.
+  bool as_read = false;
   Noise noise;
   /// Rounding is noise of the joint: a reading's covariance is sigma^2 I + J_q diag(quantum^2 / 12)
   /// J_q', and rows at one of few places share its rounding. Empty where all columns are exact.
   ReadOut read_out;
   /// Weight of each recording row's squares; empty = 1.
   Eigen::VectorXd weight;
-  /// Lag-1 correlation of the readings' errors within runs, which is taken out (AR(1), Prais and
-  /// Winsten 1954). Only for readings of one pose each: see CanWhiten.
-  double correlation = 0;
+  /// What of the readings' errors wanders within runs, and is taken out. Only for readings of one
+  /// pose each: see CanWhiten.
+  SlowNoise slow;
 };
 
 class DesignRows {
@@ -73,6 +77,11 @@ class DesignRows {
   /// V - U diag(shrunk) U' V.
   Eigen::MatrixXd Shrunk(const Eigen::MatrixXd& V) const;
 
+  /// Where the readings stand in their runs.
+  ReadingOrder Order() const;
+  /// What takes the wandering out of rows and columns; null where nothing wanders.
+  const SlowNoiseFilter* slow_filter() const { return slow_ ? &*slow_ : nullptr; }
+
   /// Whitened column of something that adds `weight` (per recording row) to slots.
   Eigen::VectorXd Column(const std::vector<SlotWeights>& slots) const;
   /// The same of several; rows x columns.
@@ -81,6 +90,7 @@ class DesignRows {
   Eigen::MatrixXd Geometry(const std::vector<Parameter>& parameters) const;
 
   /// d reading / d slot at the reading's own pose, and (adjacent) at the one before; rows x slots.
+  /// In standard deviations, before the slow filter.
   const Eigen::MatrixXd& now() const { return now_; }
   const Eigen::MatrixXd& before() const { return before_; }
   const std::vector<int>& now_row() const { return now_row_; }
@@ -88,7 +98,7 @@ class DesignRows {
 
  private:
   PoseWithDerivatives PoseAt(int row) const;
-  void WhitenSerially();
+  void TakeOutSlowNoise();
   /// Finds what the rounding of few places gives to the rows, and takes it out.
   void ShrinkSharedRounding();
   /// Columns as they are before what rows share is taken out.
@@ -119,7 +129,8 @@ class DesignRows {
   std::vector<int> now_row_, before_row_;
   int num_series_ = 0;                   // with shared differences; else none
   Eigen::SparseMatrix<double> offsets_;  // orthonormal
-  Eigen::MatrixXd shared_;               // rows x errors; without a column where there is none
+  std::optional<SlowNoiseFilter> slow_;
+  Eigen::MatrixXd shared_;  // rows x errors; without a column where there is none
   Eigen::VectorXd shrunk_;
 };
 

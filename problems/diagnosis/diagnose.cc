@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/math/statistics.h"
 #include "core/physics/registry.h"
 #include "problems/diagnosis/judge/certainty.h"
 #include "problems/diagnosis/judge/conclude.h"
@@ -23,6 +24,7 @@
 #include "problems/diagnosis/judge/unseen_rows.h"
 #include "problems/diagnosis/loop.h"
 #include "problems/diagnosis/loop_inputs.h"
+#include "problems/diagnosis/rows/misread_repeats.h"
 #include "problems/diagnosis/rows/outliers.h"
 #include "problems/diagnosis/rows/read_out.h"
 #include "problems/diagnosis/tuning.h"
@@ -106,8 +108,9 @@ void AddUnexplained(const Bank& bank,
     largest = moved;
     item = &member.item;
   }
-  if (item == nullptr) return;
-  d->unexplained = DescribeRest(*item, fit, structure.rest, std::sqrt(RowVariance(fit, rule)));
+  d->unexplained.emplace();
+  if (item != nullptr)
+    d->unexplained = DescribeRest(*item, fit, structure.rest, std::sqrt(RowVariance(fit, rule)));
   const auto rows = static_cast<double>(fit.y().size());
   const double sigma = d->misfit.noise_sigma;
   const double unnamed = sigma * sigma * std::max(structure.gain, largest * largest) / rows;
@@ -127,13 +130,39 @@ void AddHypotheses(const LoopOutcome& outcome, DiagnosisResult* d) {
   }
 }
 
+/// How many times the stated noise is left, where no chance makes it so much larger; else 0.
+double DoubtedNoise(const LoopOutcome& outcome) {
+  constexpr double kNoChance = 1e-9, kWorthSaying = 1.25;
+  const double squares = outcome.fit.y().squaredNorm();
+  const double dof =
+      std::max(1.0,
+               outcome.fit.rows->degrees_of_freedom() -
+                   static_cast<double>(outcome.fit.free.size() + outcome.fit.X.cols()));
+  const double times = std::sqrt(squares / dof);
+  return times > kWorthSaying && ChiSquareTail(squares, dof) < kNoChance ? times : 0;
+}
+
+/// Rows that other readings of their pose contradict.
+void AddMisreadRepeats(const Recording& recorded, const DistinctRows& distinct, Misfit* misfit) {
+  std::vector<int>& rows = misfit->outlier_rows;
+  for (const int row : MisreadRepeats(recorded, distinct)) {
+    if (!std::binary_search(rows.begin(), rows.end(), row)) {
+      rows.insert(std::upper_bound(rows.begin(), rows.end(), row), row);
+    }
+  }
+  misfit->outliers = static_cast<int>(rows.size());
+}
+
 /// What is said of the rows before anything is said of physics.
 void AddNotesOnRows(const Loop& loop, const LoopOutcome& outcome, DiagnosisResult* d) {
-  if (outcome.correlation > 0) {
-    d->notes.push_back(fmt::format(
-        "What is left of neighbouring readings correlates ({:.2f}); it was taken out as serial "
-        "noise, so that slow noise is not taken for a drift or a step.",
-        outcome.correlation));
+  if (!outcome.slow.none()) {
+    d->notes.push_back(
+        fmt::format("The readings' errors wander: {:.0f} % of their variance goes on from a "
+                    "reading to the next, "
+                    "to {:.0f} %. It was taken out as slow noise, so that it is not taken for a "
+                    "drift or a step.",
+                    100 * outcome.slow.share,
+                    100 * outcome.slow.persistence));
   }
   const std::size_t good = loop.GoodReadings(false).size();
   if (good > static_cast<std::size_t>(kTuning.most_searched)) {
@@ -257,6 +286,7 @@ DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
   d.rms_test_after = unseen.UnseenRms(cells);
   d.validation_method = unseen.method();
   DescribeMisfit(before, choice.readings.size(), outcome, distinct, &d);
+  AddMisreadRepeats(recorded, distinct, &d.misfit);
 
   const JointRows searched_before = model.At(before.state, loop.Choice(), outcome.free);
   const JointRows searched = model.At(outcome.fit.state, loop.Choice(), outcome.free);
@@ -265,13 +295,24 @@ DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
   const Bank bank(model, searched, loop.Items(outcome.fit, true), outcome.free);
   const Structure last = StrongestStructure(bank, searched_rule, d.misfit.noise_sigma);
   // Of the geometry alone, by the strongest structure; names and structures share the rate.
-  d.misfit.p_value = std::min(1.0, std::exp(std::max(first.log_p, -690.0)) / (1 - kShareOfNames));
+  const auto family_wise = [](double log_p) {
+    return std::min(1.0, std::exp(std::max(log_p, -690.0)) / (1 - kShareOfNames));
+  };
+  d.misfit.p_value = family_wise(first.log_p);
   d.map = first.map;
 
   Judged judged;
-  judged.rest = last.log_p < std::log((1 - kShareOfNames) * spec.diagnosis.false_alarm);
+  judged.rest = family_wise(last.log_p) < spec.diagnosis.false_alarm;
+  if (judged.rest) d.misfit.p_value = std::min(d.misfit.p_value, family_wise(last.log_p));
   const double variance = RobustVariance(outcome.fit.y(), outcome.fit.rows->coordinates());
-  if (outcome.rule.sigma_known && variance > kTuning.restless) judged.rest = true;
+  if (outcome.rule.sigma_known && variance > kTuning.restless) {
+    judged.restless = std::sqrt(variance);
+  } else if (outcome.rule.sigma_known) {
+    judged.doubted = DoubtedNoise(outcome);
+  }
+  if (judged.restless > 0) {
+    d.misfit.p_value = std::min(d.misfit.p_value, ChiSquareTail(d.misfit.statistic, d.misfit.dof));
+  }
   judged.cells = !cells.empty();
   judged.moved = !outcome.moved.empty();
   const std::vector<std::vector<int>> groups = FindingGroups(outcome.fit.state.members);
@@ -311,7 +352,10 @@ DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
     d.moved = MovedByPhysics(model, outcome, certainties, before.state.geometry);
   }
   GiveVerdict(judged, &d);
-  if (judged.rest || judged.cells) AddUnexplained(bank, searched, outcome.rule, last, &d);
+  if (judged.rest || judged.cells || judged.restless > 0) {
+    AddUnexplained(bank, searched, outcome.rule, last, &d);
+    if (!judged.rest && !judged.cells) d.unexplained->ForgetPlace();
+  }
   if (judged.moved) AddMovedReadings(model, outcome, distinct, &d);
   AddHypotheses(outcome, &d);
   const PhysicsContext context(spec.robot, recording, {spec.robot.X_WB});

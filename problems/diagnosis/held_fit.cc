@@ -39,8 +39,7 @@ std::unique_ptr<HeldFit> FitHeld(const ProblemSpec& spec,
   }
   AlignStart(&c);
   FitFramesAlone(&c, {});
-  result->fit =
-      RunFit(c, SolverMethod::kSvdGaussNewton, OptionsOf(result->spec.solver), InitialNoise(c), {});
+  result->fit = RunFit(c, SettingsOf(c));
   return result;
 }
 

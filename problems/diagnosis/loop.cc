@@ -113,8 +113,8 @@ void Loop::AddLines(const JointRows& joint, const EvidenceRule& rule, Bank* bank
   if (!no_lines.empty() && no_lines.size() < bank->members().size()) contexts.push_back(no_lines);
   for (const std::vector<int>& active : contexts) {
     const Bank::Rest rest = bank->RestBeside(active);
-    for (const SpectralPeak& peak :
-         ScanOrders(*joint.context, *joint.rows, rest.basis, rest.y, rule.dof, rule.sigma_known)) {
+    const ScannedRows scanned{rest.basis, rest.y, rule.dof, rule.sigma_known};
+    for (const SpectralPeak& peak : ScanOrders(*joint.context, *joint.rows, scanned)) {
       EffectRequest line;
       line.effect = kLineEffect;
       line.joint = peak.joint + 1;
@@ -295,7 +295,7 @@ void Loop::Trace(const std::string& step, const JointRows& joint) const {
                          step,
                          joint.y().squaredNorm() / std::max(1, joint.rows->degrees_of_freedom()),
                          noise_.sigma,
-                         correlation_,
+                         slow_.correlation(),
                          off_.size(),
                          members.empty() ? " no member" : members);
 }
@@ -343,7 +343,7 @@ LoopOutcome Loop::Run() {
     const double sigma_before = noise_.sigma;
     UpdateOutliers(joint, true);
     UpdateNoise(joint);
-    if (UpdateCorrelation(joint)) changed = true;
+    if (UpdateSlowNoise(joint)) changed = true;
     Trace(fmt::format("round {}", round + 1), joint);
     changed = changed || off_ != off_before ||
               std::abs(std::log(noise_.sigma / sigma_before)) > kNoiseSettled;
@@ -383,7 +383,7 @@ LoopOutcome Loop::Run() {
   outcome.rule = RuleAt(joint, outcome.free.size(), names_);
   outcome.fit = std::move(joint);
   outcome.noise = noise_;
-  outcome.correlation = correlation_;
+  outcome.slow = slow_;
   outcome.off = off_;
   outcome.moved = moved_;
   return outcome;

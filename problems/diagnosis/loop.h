@@ -39,7 +39,7 @@ struct LoopOutcome {
   std::vector<int> geometry;      // unknowns of the fit but for the completions found
   std::vector<int> free;          // unknowns of the fit
   Noise noise;
-  double correlation = 0;    // of neighbouring rows' errors, taken out
+  SlowNoise slow;            // of the rows' errors, taken out
   std::set<int> off;         // recording rows set aside, test rows too
   std::map<int, int> moved;  // of those, which a joint (from 0) moved where it stood
   EvidenceRule rule;
@@ -72,10 +72,10 @@ class Loop {
   void RobustStart();
   void UpdateOutliers(const JointRows& joint, bool with_leverage);
   void UpdateNoise(const JointRows& joint);
-  /// Takes the rows' serial correlation out from here on, where what the whole model leaves has
-  /// one: estimated any earlier it would eat physics wherever neighbouring rows are neighbouring
-  /// poses. True if it changed.
-  bool UpdateCorrelation(const JointRows& joint);
+  /// Takes slow noise out from here on, where what the whole model leaves has any: estimated any
+  /// earlier it would eat physics wherever neighbouring rows are neighbouring poses. Members that
+  /// go by the clock have to explain the rows better than it does. True if it changed.
+  bool UpdateSlowNoise(const JointRows& joint);
   /// Moves the instants of steps over all fitted rows, those set aside included: a step that came a
   /// few rows too early makes good rows lie off, and without them it would stay there.
   JointRows WithInstantsMoved(JointRows joint) const;
@@ -103,7 +103,7 @@ class Loop {
   std::set<int> off_;
   std::map<int, int> moved_;
   Eigen::VectorXd weight_;
-  double correlation_ = 0;
+  SlowNoise slow_;
   int names_ = 1;
 };
 

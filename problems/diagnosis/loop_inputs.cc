@@ -75,16 +75,13 @@ DiagnosisResult ConcealedFramesIn(const ProblemSpec& spec,
                                   const JointModel& model,
                                   const Result& identified,
                                   const Progress& progress) {
-  DiagnosisResult d;
   const Calibration& whole = model.calibration();
   const Recording& recording = whole.recording;
   const std::vector<Completion> missing = MissingCompletions(Calibration(spec, recording), whole);
-  if (missing.empty()) return d;
-  const auto complete = FitComplete(spec, recording, {}, nullptr, progress);
-  if (complete->usable()) {
-    AddConcealedFrames(spec, recording, identified, *complete, missing, &d);
-  }
-  return d;
+  if (missing.empty()) return {};
+  const auto complete = FitComplete(spec, recording, {}, progress);
+  if (!complete->usable()) return {};
+  return ConcealedFrames(spec, recording, identified, *complete, missing);
 }
 
 ProblemSpec WithEffectsHeld(ProblemSpec spec, const JointRows& fit) {

@@ -21,9 +21,21 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kHuber = 2;  // robust standard deviations of a reading that counts in full
-constexpr double kMostCorrelation = 0.95;
-constexpr double kCorrelationSettled = 0.05;
 constexpr double kColumnsOfRows = 1.0 / 6;  // at most, of a first model
+
+/// Takes the members out that are functions of the time or the order of rows; returns how many
+/// unknowns they had.
+double TakeOutByTheClock(const PhysicsContext& context, JointState* state) {
+  double freedom = 0;
+  auto& members = state->members;
+  const auto by_the_clock = [&](const Member& member) {
+    if (member.given || !IsByTheClock(member.item, context)) return false;
+    freedom += member.item.size;
+    return true;
+  };
+  members.erase(std::remove_if(members.begin(), members.end(), by_the_clock), members.end());
+  return freedom;
+}
 
 /// Mean leverage of each reading in a fit.
 VectorXd LeverageOf(const JointModel& model, const JointRows& joint) {
@@ -106,7 +118,7 @@ RowChoice Loop::Choice(bool all) const {
   choice.weights.noise = noise_;
   choice.weights.read_out = in_.read_out;
   choice.weights.weight = weight_;
-  choice.weights.correlation = correlation_;
+  choice.weights.slow = slow_;
   return choice;
 }
 
@@ -184,28 +196,30 @@ void Loop::UpdateNoise(const JointRows& joint) {
   }
 }
 
-bool Loop::UpdateCorrelation(const JointRows& joint) {
-  const Calibration& c = model_.calibration();
-  if (!DesignRows::CanWhiten(c) || in_.readings_per_pose > 1) return false;
+bool Loop::UpdateSlowNoise(const JointRows& joint) {
+  if (!DesignRows::CanWhiten(model_.calibration()) || in_.readings_per_pose > 1) return false;
   RowChoice plain = Choice();
-  plain.weights.correlation = 0;
-  const DesignRows rows(c, joint.state.deltas, plain.weights, plain.readings);
-  const int m = rows.coordinates();
-  double product = 0, square = 0;
-  for (int k = m; k < rows.num_rows(); ++k) {
-    const int row = rows.now_row()[static_cast<std::size_t>(k)];
-    const int before = rows.now_row()[static_cast<std::size_t>(k - m)];
-    if (c.recording.run(row) != c.recording.run(before)) continue;
-    product += rows.y()[k] * rows.y()[k - m];
-    square += rows.y()[k] * rows.y()[k];
+  plain.weights.slow = SlowNoise();
+  const auto left_by = [&](const JointState& state) {
+    return DesignRows(model_.calibration(), state.deltas, plain.weights, plain.readings);
+  };
+  const DesignRows rows = left_by(joint.state);
+  const ReadingOrder order = rows.Order();
+  LikeliestSlowNoise likeliest = FindSlowNoise(rows.y(), order, slow_);
+  JointState timeless = joint.state;
+  const double freedom = TakeOutByTheClock(*joint.context, &timeless);
+  if (freedom > 0) {
+    const DesignRows without =
+        left_by(FitJointly(model_, timeless, plain, joint.free, kFarSteps).state);
+    const LikeliestSlowNoise instead = FindSlowNoise(without.y(), order, slow_);
+    const auto count = static_cast<double>(rows.num_rows());
+    const double gain = 2 * count * std::log(without.y().norm() / rows.y().norm()) -
+                        freedom * std::log(static_cast<double>(rows.num_readings()));
+    if (instead.evidence > likeliest.evidence + gain) likeliest = instead;
   }
-  const double significant =
-      std::max(kTuning.least_correlation,
-               kTuning.correlation_errors / std::sqrt(static_cast<double>(rows.num_rows())));
-  double now = square > 0 ? std::min(product / square, kMostCorrelation) : 0.0;
-  if (now < significant) now = 0;
-  const bool changed = std::abs(now - correlation_) > kCorrelationSettled;
-  if (changed) correlation_ = now;
+  if (likeliest.evidence < kTuning.slow_noise_evidence) likeliest.noise = SlowNoise();
+  const bool changed = likeliest.noise != slow_;
+  slow_ = likeliest.noise;
   return changed;
 }
 

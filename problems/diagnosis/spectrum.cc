@@ -39,7 +39,42 @@ MatrixXd FactorsOf(const DesignRows& rows, const MatrixXd& basis, const VectorXd
   MatrixXd factors(y.size(), shrunk.size() + basis.cols() + 1);
   factors << rows.shared() * (2 * shrunk - shrunk.square()).sqrt().matrix().asDiagonal(),
       rows.Shrunk(basis), rows.Shrunk(y);
+  if (const SlowNoiseFilter* const slow = rows.slow_filter()) {
+    for (Index k = 0; k < factors.cols(); ++k) slow->WhitenAdjoint(factors.col(k));
+  }
   return factors;
+}
+
+void AddSquares(const DesignRows& rows, int slot, JointSums* sums) {
+  const bool pairs = rows.before().rows() > 0;
+  for (int k = 0; k < rows.num_rows(); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const int now = rows.now_row()[i];
+    const double z_now = rows.now()(k, slot);
+    sums->square[now] += z_now * z_now;
+    if (!pairs) continue;
+    const int before = rows.before_row()[i];
+    const double z_before = rows.before()(k, slot);
+    sums->square[before] += z_before * z_before;
+    sums->cross[now] -= 2 * z_now * z_before;
+    sums->before[static_cast<std::size_t>(now)] = before;
+  }
+}
+
+/// Behind the slow filter, of whose precision lags above one are left out: angles that a high order
+/// takes from reading to reading are far apart.
+void AddSlowSquares(const DesignRows& rows, int slot, JointSums* sums) {
+  const SlowNoiseFilter::Precision precision = rows.slow_filter()->PrecisionOf();
+  const int m = rows.coordinates();
+  for (int k = 0; k < rows.num_rows(); ++k) {
+    const int now = rows.recording_row(k / m);
+    const double z_now = rows.now()(k, slot);
+    sums->square[now] += precision.own[k / m] * z_now * z_now;
+    if (k < m || precision.with_before[k / m] == 0) continue;
+    const double z_before = rows.now()(k - m, slot);
+    sums->cross[now] += 2 * precision.with_before[k / m] * z_now * z_before;
+    sums->before[static_cast<std::size_t>(now)] = rows.recording_row(k / m - 1);
+  }
 }
 
 /// `factors`: y's last.
@@ -50,17 +85,10 @@ JointSums SumsOf(const DesignRows& rows, const MatrixXd& factors, int slot, int 
   sums.cross.setZero(recording_rows);
   sums.before.assign(static_cast<std::size_t>(recording_rows), -1);
   const bool pairs = rows.before().rows() > 0;
-  for (int k = 0; k < rows.num_rows(); ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    const int now = rows.now_row()[i];
-    const double z_now = rows.now()(k, slot);
-    sums.square[now] += z_now * z_now;
-    if (!pairs) continue;
-    const int before = rows.before_row()[i];
-    const double z_before = rows.before()(k, slot);
-    sums.square[before] += z_before * z_before;
-    sums.cross[now] -= 2 * z_now * z_before;
-    sums.before[static_cast<std::size_t>(now)] = before;
+  if (rows.slow_filter() != nullptr) {
+    AddSlowSquares(rows, slot, &sums);
+  } else {
+    AddSquares(rows, slot, &sums);
   }
   for (Index column = 0; column < factors.cols(); ++column) {
     const double* const factor = factors.col(column).data();
@@ -204,16 +232,13 @@ double ScanProbability(double p, double width) {
 
 std::vector<SpectralPeak> ScanOrders(const PhysicsContext& c,
                                      const DesignRows& rows,
-                                     const MatrixXd& basis,
-                                     const VectorXd& y,
-                                     double nu,
-                                     bool sigma_known) {
-  const double rss = y.squaredNorm();
+                                     const ScannedRows& scanned) {
+  const double rss = scanned.y.squaredNorm();
   std::vector<int> joints;
   for (int joint = 0; joint < c.num_joints(); ++joint) {
     if (IsScanned(c, joint)) joints.push_back(joint);
   }
-  const MatrixXd factors = FactorsOf(rows, basis, y);
+  const MatrixXd factors = FactorsOf(rows, scanned.basis, scanned.y);
   std::vector<SpectralPeak> peaks(joints.size());
   ParallelFor(static_cast<int>(joints.size()), [&](int k) {
     const auto i = static_cast<std::size_t>(k);
@@ -222,7 +247,8 @@ std::vector<SpectralPeak> ScanOrders(const PhysicsContext& c,
   });
   const double width = ScanWidth(c);
   for (SpectralPeak& peak : peaks) {
-    peak.p = RemovalTail(peak.Q, 2, rss, nu, sigma_known);  // sine and cosine
+    // Sine and cosine.
+    peak.p = RemovalTail(peak.Q, 2, rss, scanned.nu, scanned.sigma_known);
     peak.p_scan = ScanProbability(peak.p, width);
   }
   return peaks;

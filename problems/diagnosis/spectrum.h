@@ -38,16 +38,20 @@ double ScanWidth(const PhysicsContext& context);
 /// Probability under noise that the highest of all orders has this p or less.
 double ScanProbability(double p, double width);
 
-/// The highest peak of each revolute joint. `basis`: orthonormal, geometry and what is modelled
-/// already; `y`: rows projected off it; `nu`: their freedom; `sigma_known`: y has unit variance.
-/// The scan's false-alarm probability is Baluev's (2008) bound for periodograms: with W turns times
-/// spread of the angle, P(max > z) <= W sqrt(z) exp(-z), z = -log p.
+/// What a scan looks at: rows without what is modelled already.
+struct ScannedRows {
+  Eigen::MatrixXd basis;     // orthonormal: geometry and what is modelled
+  Eigen::VectorXd y;         // projected off it
+  double nu = 0;             // its degrees of freedom
+  bool sigma_known = false;  // y has unit variance
+};
+
+/// The highest peak of each revolute joint. The scan's false-alarm probability is Baluev's (2008)
+/// bound for periodograms: with W turns times spread of the angle, P(max > z) <= W sqrt(z) exp(-z),
+/// z = -log p.
 std::vector<SpectralPeak> ScanOrders(const PhysicsContext& context,
                                      const DesignRows& rows,
-                                     const Eigen::MatrixXd& basis,
-                                     const Eigen::VectorXd& y,
-                                     double nu,
-                                     bool sigma_known);
+                                     const ScannedRows& scanned);
 
 }  // namespace dhcal
 

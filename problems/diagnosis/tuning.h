@@ -15,10 +15,9 @@ struct Tuning {
   double most_outliers = 0.2;
   /// Repeats are put together where they leave at most this share of the rows.
   double repeats_share = 0.5;
-  /// Serial correlation of neighbouring rows that is taken out: at least so much, and so many
-  /// standard errors.
-  double least_correlation = 0.1;
-  double correlation_errors = 4;
+  /// Slow noise is taken out where it is likelier than white noise by this much (twice the
+  /// logarithm): white noise comes up to it once in 1,000 recordings.
+  double slow_noise_evidence = 14;
   /// Readings that are searched, evenly over a longer recording; the last fit uses all.
   int most_searched = 3000;
 

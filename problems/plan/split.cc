@@ -123,8 +123,7 @@ std::optional<Signature> SignatureOf(const ProblemSpec& spec,
   Calibration c(with, own);
   AlignStart(&c);
   FitFramesAlone(&c, {});
-  const Fit fit = RunBentFit(
-      SolverMethod::kSvdGaussNewton, OptionsOf(spec.solver), InitialNoise(c), {}, {}, &c);
+  const Fit fit = RunBentFit(SettingsOf(c), &c);
   if (!fit.summary.IsSolutionUsable()) return std::nullopt;
   noise->sigma = std::min(noise->sigma, fit.noise_seen.sigma);
   noise->sigma_rotation = std::min(noise->sigma_rotation, fit.noise_seen.sigma_rotation);

@@ -115,11 +115,12 @@ void Gravity(const Files& files, Remarks* remarks) {
   const double tilt = std::acos(std::clamp(up.z(), -1.0, 1.0));
   const Eigen::Vector3d g = robot.gravity_B;
   const bool along_axis = g.head<2>().norm() < 1e-6 * g.norm();
-  if (tilt < kTilted || !along_axis) return;
+  const Eigen::Vector3d g_W = robot.X_WB.linear() * g;
+  const double off = std::acos(std::clamp(-g_W.z() / g.norm(), -1.0, 1.0));
+  if (tilt < kTilted || off < kTilted || !along_axis) return;
   remarks->push_back(fmt::format(
       "The base is tilted by {:.1f} deg against the measurement frame, but gravity_m_s2 is along "
-      "the "
-      "base's z axis: if the measurement frame is level, state gravity in the base's frame.",
+      "the base's z axis: if the measurement frame is level, state gravity in the base's frame.",
       tilt / kDegree));
 }
 

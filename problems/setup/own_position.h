@@ -8,8 +8,9 @@
 
 namespace dhcal {
 
-/// A cause where the nominal robot, with base and tool fitted, meets the readings to their last
-/// digit, as no real robot does. `misfit` [m]: by how much it misses them, RMS.
+/// A cause where the nominal robot, with base and tool fitted, meets the readings as closely as the
+/// digits of the files allow and its errors cannot be seen at all, as with no real robot. `misfit`
+/// [m]: by how much it misses them, RMS.
 std::optional<SetupCause> OwnPosition(const Files& files, double misfit);
 
 }  // namespace dhcal

@@ -37,7 +37,9 @@ ProblemSpec RunOn(ProblemSpec spec) {
 Eigen::VectorXd DeviationAlongDirections(const ProblemSpec& spec, SolverMethod method) {
   const Recording recording = RecordingOf(spec);
   const Calibration c(spec, recording);
-  const Fit fit = RunFit(c, method, OptionsOf(spec.solver), InitialNoise(c), Progress());
+  FitSettings settings = SettingsOf(c);
+  settings.method = method;
+  const Fit fit = RunFit(c, settings);
   const FitAnalysis analysis = Analyse(c, fit).value();
   const Eigen::VectorXd truth = ErrorSlots(spec.robot, *spec.simulate);
   Eigen::VectorXd deviation = fit.summary.state;

@@ -275,8 +275,7 @@ double CoverageOfUnseenReadings(int draws, double* largest_bias) {
         test.end());
     AlignStart(&c);
     FitFramesAlone(&c, {});
-    const Fit fit = RunFit(
-        c, SolverMethod::kSvdGaussNewton, OptionsOf(spec.solver), InitialNoise(c), Progress());
+    const Fit fit = RunFit(c, SettingsOf(c));
     const auto analysis = Analyse(c, fit);
     if (!analysis) {
       ADD_FAILURE() << "draw " << draw << ": " << fit.summary.message;

@@ -86,8 +86,7 @@ NoiseStudy RunNoiseStudy(ProblemSpec spec, int draws) {
     spec.simulate->seed = static_cast<std::uint64_t>(draw);
     const Recording recording = RecordingOf(spec);
     const Calibration c(spec, recording);
-    const Fit fit = RunFit(
-        c, SolverMethod::kSvdGaussNewton, OptionsOf(spec.solver), InitialNoise(c), Progress());
+    const Fit fit = RunFit(c, SettingsOf(c));
     if (!fit.summary.IsSolutionUsable()) {
       ++study.num_failed;
       continue;

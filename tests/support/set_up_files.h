@@ -32,13 +32,14 @@ inline ProblemSpec ProblemOf(const RobotModel& robot, const MeasurementKind& kin
 
 /// Random poses of a robot whose rows are a millimetre and a milliradian off, seen from a base far
 /// away; positions and orientations with noise of `noise` [m] and [rad].
-inline Recording RecordingOfRobot(const RobotModel& robot, int rows, double noise, Rng* rng) {
+inline Recording RecordingOfRobot(
+    const RobotModel& robot, int rows, double noise, Rng* rng, double errors = 1) {
   RobotModel real = robot;
   for (JointRow& row : real.joints) {
-    row.theta += 1e-3 * rng->Normal();
-    row.alpha += 0.5e-3 * rng->Normal();
-    row.a += 0.3e-3 * rng->Normal();
-    row.d += 0.3e-3 * rng->Normal();
+    row.theta += 1e-3 * errors * rng->Normal();
+    row.alpha += 0.5e-3 * errors * rng->Normal();
+    row.a += 0.3e-3 * errors * rng->Normal();
+    row.d += 0.3e-3 * errors * rng->Normal();
   }
   const Eigen::Isometry3d X_WB = MakeFrame({2.1, -1.3, 0.4}, {0.3, -0.8, 1.1});
   const Eigen::Isometry3d X_TQ = MakeFrame({0.03, -0.05, 0.12}, {0.1, 0.2, -0.3});

@@ -122,13 +122,11 @@ std::vector<double> CoarseOf(const RulerSettings& settings,
   return steps;
 }
 
-/// Ruler coordinates [mm], NaN where there is none; errors (with `skip`, warnings) say why.
-std::vector<double> RulerPlaces(const RulerCommand& command,
-                                const RulerSettings& settings,
-                                const std::vector<RulerReading>& found,
-                                const std::vector<double>& coarse,
-                                const std::vector<int>& groups,
-                                Diagnostics* diagnostics) {
+/// Where along the rulings each image is, with its doubts. `groups` may be empty.
+std::vector<CountedPlace> CountedPlaces(const RulerSettings& settings,
+                                        const std::vector<RulerReading>& found,
+                                        const std::vector<double>& coarse,
+                                        const std::vector<int>& groups) {
   std::vector<ImagePlace> places;
   for (std::size_t k = 0; k < found.size(); ++k) {
     const RulerReading& reading = found[k];
@@ -138,8 +136,15 @@ std::vector<double> RulerPlaces(const RulerCommand& command,
                       coarse[k] / settings.pitch,
                       groups.empty() ? 0 : groups[k]});
   }
-  const std::vector<CountedPlace> counted =
-      CountAlong(places, settings.coarse_error / settings.pitch);
+  return CountAlong(places, settings.coarse_error / settings.pitch);
+}
+
+/// Ruler coordinates [mm], NaN where there is none; errors (with `skip`, warnings) say why.
+std::vector<double> RulerPlaces(const RulerCommand& command,
+                                const RulerSettings& settings,
+                                const std::vector<RulerReading>& found,
+                                const std::vector<CountedPlace>& counted,
+                                Diagnostics* diagnostics) {
   std::vector<double> ruler;
   for (std::size_t k = 0; k < found.size(); ++k) {
     ruler.push_back(counted[k].place * settings.pitch);
@@ -200,12 +205,12 @@ int ReadTheRuler(const RulerCommand& command,
 
   std::vector<RulerReading> found;
   for (SeenImage& image : images) found.push_back(std::move(image.reading));
-  const std::vector<double> ruler = RulerPlaces(command,
-                                                settings,
-                                                found,
-                                                CoarseOf(settings, readings, coarse, found.size()),
-                                                readings ? readings->groups : std::vector<int>(),
-                                                diagnostics);
+  const std::vector<CountedPlace> counted =
+      CountedPlaces(settings,
+                    found,
+                    CoarseOf(settings, readings, coarse, found.size()),
+                    readings ? readings->groups : std::vector<int>());
+  const std::vector<double> ruler = RulerPlaces(command, settings, found, counted, diagnostics);
   const auto lost =
       std::count_if(ruler.begin(), ruler.end(), [](double x) { return std::isnan(x); });
   if (diagnostics->ok() && 2 * lost > static_cast<std::ptrdiff_t>(ruler.size())) {

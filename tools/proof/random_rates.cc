@@ -8,13 +8,22 @@
 namespace dhcal {
 namespace {
 
-RandomRate RateOf(const std::string& name,
-                  const std::string& title,
-                  const RandomScores& of,
-                  const RandomCondition& holds,
-                  double bar,
-                  bool at_most) {
-  return {name, title, Count(of, holds), static_cast<int>(of.size()), bar, at_most};
+RandomRate RateAtMost(const std::string& name,
+                      const std::string& title,
+                      const RandomScores& of,
+                      const RandomCondition& holds,
+                      double bar) {
+  return {name, title, Count(of, holds), static_cast<int>(of.size()), bar, /*at_most=*/true};
+}
+
+RandomRate RateAtLeast(const std::string& name,
+                       const std::string& title,
+                       const RandomScores& of,
+                       const RandomCondition& holds,
+                       double bar) {
+  RandomRate rate = RateAtMost(name, title, of, holds, bar);
+  rate.at_most = false;
+  return rate;
 }
 
 }  // namespace
@@ -53,61 +62,52 @@ std::vector<RandomRate> RandomRates(const std::vector<RandomScore>& scores) {
   const RandomScores some = Those(ended, [](const auto& s) { return !s.null && !s.outside; });
   const RandomScores outside = Those(ended, [](const auto& s) { return s.outside; });
   const RandomScores null = Those(ended, [](const auto& s) { return s.null; });
-  constexpr bool kAtMost = true, kAtLeast = false;
   const auto wrong = [](const auto& s) { return s.wrong_single; };
   return {
-      RateOf(
+      RateAtLeast(
           "right_or_listed",
           "right or listed, of detectable",
           judged,
           [](const auto& s) { return s.listed; },
-          0.97,
-          kAtLeast),
-      RateOf(
+          0.97),
+      RateAtLeast(
           "right_alone",
           "right alone, of detectable",
           judged,
           [](const auto& s) { return s.alone; },
-          0.90,
-          kAtLeast),
-      RateOf("wrong_single", "wrong single name, library", some, wrong, 0.01, kAtMost),
-      RateOf(
-          "wrong_outside", "wrong single name, outside the library", outside, wrong, 0.10, kAtMost),
-      RateOf(
+          0.90),
+      RateAtMost("wrong_single", "wrong single name, library", some, wrong, 0.01),
+      RateAtMost("wrong_outside", "wrong single name, outside the library", outside, wrong, 0.10),
+      RateAtMost(
           "extra",
           "a name that is not there beside the truth",
           judged,
           [](const auto& s) { return s.extra; },
-          0.015,
-          kAtMost),
-      RateOf(
+          0.015),
+      RateAtMost(
           "geometry_extra",
           "geometry named that is as stated, or freed",
           ended,
           [](const auto& s) { return s.geometry_extra; },
-          0.015,
-          kAtMost),
-      RateOf(
+          0.015),
+      RateAtMost(
           "false_alarm",
           "false alarms where nothing is left out",
           null,
           [](const auto& s) { return s.false_alarm; },
-          0.015,
-          kAtMost),
-      RateOf(
+          0.015),
+      RateAtMost(
           "contradictions",
           "reports that contradict themselves",
           ended,
           [](const auto& s) { return !s.contradictions.empty(); },
-          0,
-          kAtMost),
-      RateOf(
+          0),
+      RateAtMost(
           "failures",
           "cases without a result",
           all,
           [](const auto& s) { return !s.failure.empty(); },
-          0,
-          kAtMost)};
+          0)};
 }
 
 nlohmann::ordered_json RandomRatesToJson(const std::vector<RandomRate>& rates) {

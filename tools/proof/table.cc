@@ -43,13 +43,23 @@ std::vector<double> Ratios(const std::vector<ProofScore>& scores) {
   return ratios;
 }
 
-ProofFigure ShareFigure(const std::string& name,
+ProofFigure ShareAtMost(const std::string& name,
                         const std::string& title,
                         const std::vector<const ProofScore*>& some,
                         const Condition& holds,
-                        double bar,
-                        bool at_most) {
-  return {name, title, Share(some, holds), bar, at_most, static_cast<int>(some.size()), true};
+                        double bar) {
+  constexpr bool kPercent = true;
+  return {name, title, Share(some, holds), bar, true, static_cast<int>(some.size()), kPercent};
+}
+
+ProofFigure ShareAtLeast(const std::string& name,
+                         const std::string& title,
+                         const std::vector<const ProofScore*>& some,
+                         const Condition& holds,
+                         double bar) {
+  ProofFigure figure = ShareAtMost(name, title, some, holds, bar);
+  figure.at_most = false;
+  return figure;
 }
 
 std::string Percent(double share) {
@@ -113,48 +123,42 @@ std::vector<ProofFigure> Figures(const std::vector<ProofScore>& scores) {
   const auto concealed =
       Where(scores, [](const ProofScore& s) { return std::isfinite(s.largest_elsewhere); });
   const auto all = Where(scores, [](const ProofScore&) { return true; });
-  std::vector<ProofFigure> figures = {ShareFigure(
+  std::vector<ProofFigure> figures = {ShareAtMost(
                                           "false_alarm",
                                           "false alarms where nothing is left out",
                                           null,
                                           [](const ProofScore& s) { return s.false_alarm; },
-                                          0.02,
-                                          true),
-                                      ShareFigure(
+                                          0.02),
+                                      ShareAtLeast(
                                           "truth_kept",
                                           "truth not excluded",
                                           truth,
                                           [](const ProofScore& s) { return s.truth_kept; },
-                                          0.93,
-                                          false),
-                                      ShareFigure(
+                                          0.93),
+                                      ShareAtMost(
                                           "wrong_single",
                                           "wrong single name, all cases",
                                           all,
                                           [](const ProofScore& s) { return s.wrong_single; },
-                                          0.03,
-                                          true),
-                                      ShareFigure(
+                                          0.03),
+                                      ShareAtMost(
                                           "wrong_single_outside",
                                           "wrong single name, physics outside the library",
                                           outside,
                                           [](const ProofScore& s) { return s.wrong_single; },
-                                          0.10,
-                                          true),
-                                      ShareFigure(
+                                          0.10),
+                                      ShareAtLeast(
                                           "named",
                                           "detectable causes named at class and joint",
                                           detectable,
                                           [](const ProofScore& s) { return s.named; },
-                                          0.95,
-                                          false),
-                                      ShareFigure(
+                                          0.95),
+                                      ShareAtLeast(
                                           "warned",
                                           "concealed: named, listed, or within the hidden risk",
                                           concealed,
                                           [](const ProofScore& s) { return s.warned; },
-                                          0.95,
-                                          false)};
+                                          0.95)};
   const std::vector<double> ratios = Ratios(scores);
   const auto count = static_cast<int>(ratios.size());
   figures.push_back({"rms_ratio_median",

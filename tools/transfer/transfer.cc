@@ -120,8 +120,8 @@ std::vector<Errors> PredictBlocks(const ProblemSpec& spec,
   Folds folds;
   folds.of_row = ConsecutiveBlocks(recording.num_rows(), count);
   folds.count = count;
-  const auto before = FitComplete(spec, recording, {}, nullptr, progress);
-  const auto after = FitComplete(spec, recording, effects, nullptr, progress);
+  const auto before = FitComplete(spec, recording, {}, progress);
+  const auto after = FitComplete(spec, recording, effects, progress);
   std::vector<Errors> errors;
   if (!before->usable() || !after->usable()) return errors;
   const std::vector<Sum> of_before = SumsByFold(*before, folds);
@@ -144,8 +144,8 @@ UnseenBlock DiagnoseWithoutBlock(const ProblemSpec& spec,
   const Result identified = IdentifyGeometry(spec, split, progress);
   UnseenBlock unseen;
   unseen.model = Diagnose(spec, split, identified, progress).model;
-  const auto before = FitComplete(spec, split, {}, nullptr, progress);
-  const auto after = FitComplete(spec, split, unseen.model, nullptr, progress);
+  const auto before = FitComplete(spec, split, {}, progress);
+  const auto after = FitComplete(spec, split, unseen.model, progress);
   if (!before->usable() || !after->usable()) return unseen;
   unseen.errors = ErrorsWhere(
       *before, *after, before->calibration.readings.test, [](int /*row*/) { return true; });
@@ -158,7 +158,7 @@ Transfer TransferTo(const ProblemSpec& spec,
                     const std::vector<EffectRequest>& model,
                     const Progress& progress) {
   Transfer transfer;
-  const auto before = FitComplete(spec, recording, {}, nullptr, progress);
+  const auto before = FitComplete(spec, recording, {}, progress);
   const PhysicsContext context = before->calibration.Context();
   std::vector<EffectRequest> held;
   for (const EffectRequest& effect : model) {
@@ -172,7 +172,7 @@ Transfer TransferTo(const ProblemSpec& spec,
     held.push_back(effect);
     held.back().held = true;
   }
-  const auto after = FitComplete(spec, recording, held, nullptr, progress);
+  const auto after = FitComplete(spec, recording, held, progress);
   if (!before->usable() || !after->usable()) return transfer;
   const Visits visits(first);
   const std::vector<Reading>& readings = before->calibration.readings.fitted;

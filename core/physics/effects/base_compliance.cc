@@ -2,14 +2,19 @@
 //
 //   rotation of the base (phi_x, phi_y) = (C_x M_x, C_y M_y)        [rad], C [rad/(N m)]
 //
-// M: gravity's moment about the base's origin, in base axes. A static tilt is geometry (base_rx,
-// base_ry). Equal C_x = C_y (a round pedestal) looks much like compliance of joint 2; unequal ones
-// are seen by turning joint 1.
-// Typical: 1e-8-1e-7 rad/(N m) bolted to concrete, 1e-7-1e-6 on a steel frame. Source: PHYSICS.md
-// E4. Worked number: row 0 of the example has M_y = +665 N m; 1e-7 rad/(N m) tilt it by 66.5 urad.
+// M: gravity's moment about the base's origin, in base axes. Gravity has none about an axis that it
+// is along: of a robot on a wall the base turns about two others, C_z among them. A static tilt is
+// geometry (base_rx, base_ry). Equal C_x = C_y (a round pedestal) looks much like compliance of
+// joint 2; unequal ones are seen by turning joint 1. Typical: 1e-8-1e-7 rad/(N m) bolted to
+// concrete, 1e-7-1e-6 on a steel frame. Source: PHYSICS.md E4. Worked number: row 0 of the example
+// has M_y = +665 N m; 1e-7 rad/(N m) tilt it by 66.5 urad.
 #include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/physics/columns.h"
 #include "core/physics/gravity.h"
@@ -18,6 +23,19 @@ namespace dhcal {
 namespace {
 
 constexpr double kTypicalCompliance = 3e-7;  // [rad/(N m)]
+constexpr double kAlong = 0.34;              // sine of 20 deg, from an axis to gravity
+
+constexpr const char* kNames[] = {"compliance_x", "compliance_y", "compliance_z"};
+
+/// Axes of the base about which gravity turns it.
+std::vector<int> TurnedAxes(const PhysicsContext& c) {
+  std::vector<int> axes;
+  const Eigen::Vector3d down = c.robot().gravity_B.normalized();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (down.cross(Eigen::Vector3d::Unit(axis)).norm() > kAlong) axes.push_back(axis);
+  }
+  return axes;
+}
 
 class BaseComplianceEffect final : public Effect {
  public:
@@ -25,8 +43,8 @@ class BaseComplianceEffect final : public Effect {
     EffectDescription d{"base_compliance",
                         "base or floor tilts under the robot's overturning moment",
                         "(phi_x, phi_y) = (C_x M_x, C_y M_y)",
-                        "compliance_x, compliance_y [rad/(N m)]; without masses one pair of "
-                        "products per moment",
+                        "compliance_x, compliance_y (on a wall compliance_z) [rad/(N m)]; without "
+                        "masses as many products per moment",
                         {},
                         "robot.links for C itself",
                         "0.01-1 urad/(N m) [PHYSICS.md E4]"};
@@ -42,13 +60,14 @@ class BaseComplianceEffect final : public Effect {
   std::vector<EffectColumn> Columns(const PhysicsContext& c,
                                     const EffectRequest& /*request*/) const override {
     std::vector<EffectColumn> columns;
+    const double typical = kTypicalCompliance * SoftnessOfSize(c);
     for (const MassCase& mass_case : MassCases(c, FirstLoadedJoint(c))) {
       const bool known = mass_case.name.empty();
-      for (int axis = 0; axis < 2; ++axis) {
-        const std::string name = std::string("compliance_") + (axis == 0 ? "x" : "y");
+      for (const int axis : TurnedAxes(c)) {
+        const std::string name = kNames[axis];
         columns.push_back(Column(c,
                                  mass_case,
-                                 axis,
+                                 {typical * mass_case.typical, axis},
                                  known ? name : name + "_x_" + mass_case.name,
                                  known ? "rad/(N m)" : "rad/(N m) " + mass_case.unit));
         columns.back().positive = known;
@@ -65,16 +84,22 @@ class BaseComplianceEffect final : public Effect {
   std::string Sentence(const PhysicsContext& /*context*/,
                        const EffectRequest& /*request*/,
                        const std::vector<EffectValue>& values) const override {
-    const EffectValue x = Find(values, "compliance_x"), y = Find(values, "compliance_y");
-    if (x.sigma <= 0) {
+    std::vector<std::string> turns;
+    for (const char* const name : kNames) {
+      const EffectValue value = Find(values, name);
+      if (value.sigma <= 0) continue;
+      turns.push_back(fmt::format("{} about {}{}",
+                                  Quantity(value, 1e-6, "urad/(N m)"),
+                                  turns.empty() ? "its " : "",
+                                  name[std::strlen(name) - 1]));
+      if (turns.size() == 1) turns.back() += " axis";
+    }
+    if (turns.empty()) {
       return "the base tilts under the robot's weight (the masses are not known, so only products "
              "with its compliance are)";
     }
-    return fmt::format(
-        "the base tilts under the robot's overturning moment, {} about its x axis "
-        "and {} about y",
-        Quantity(x, 1e-6, "urad/(N m)"),
-        Quantity(y, 1e-6, "urad/(N m)"));
+    return fmt::format("the base tilts under the robot's overturning moment, {}",
+                       fmt::join(turns, " and "));
   }
 
   WorkedExample Example() const override {
@@ -89,15 +114,19 @@ class BaseComplianceEffect final : public Effect {
   }
 
  private:
+  struct Turn {
+    double typical;
+    int axis;
+  };
   static EffectColumn Column(const PhysicsContext& c,
                              const MassCase& mass_case,
-                             int axis,
+                             const Turn& turn,
                              const std::string& name,
                              const std::string& unit) {
-    return TwistColumn(c, name, unit, kTypicalCompliance * mass_case.typical, [&](int row) {
+    return TwistColumn(c, name, unit, turn.typical, [&](int row) {
       const Load load = GravityLoad(c, mass_case, row, 0, Eigen::Vector3d::Zero());
       Twist twist;
-      twist.rotation[axis] = load.moment[axis];
+      twist.rotation[turn.axis] = load.moment[turn.axis];
       return twist;
     });
   }

@@ -60,18 +60,19 @@ class JointComplianceEffect final : public Effect {
                                     const EffectRequest& request) const override {
     const int joint = JointIndex(request);
     if (UsesMeasuredTorque(request)) {
-      return {Column(c, joint, "compliance", "rad/(N m)", 1.0, MeasuredLoad(c, joint))};
+      return {SlotColumn(
+          "compliance", "rad/(N m)", Typical(joint), c.joint_slot(joint), MeasuredLoad(c, joint))};
     }
     std::vector<EffectColumn> columns;
+    const double typical = Typical(joint) * SoftnessOfSize(c);
     for (const MassCase& mass_case :
          FreesMasses(request) ? FreeMassCases(c, joint) : MassCases(c, joint)) {
       const bool known = mass_case.name.empty();
-      columns.push_back(Column(c,
-                               joint,
-                               known ? "compliance" : "compliance_x_" + mass_case.name,
-                               known ? "rad/(N m)" : "rad/(N m) " + mass_case.unit,
-                               mass_case.typical,
-                               GravityTorque(c, mass_case, joint)));
+      columns.push_back(SlotColumn(known ? "compliance" : "compliance_x_" + mass_case.name,
+                                   known ? "rad/(N m)" : "rad/(N m) " + mass_case.unit,
+                                   typical * mass_case.typical,
+                                   c.joint_slot(joint),
+                                   GravityTorque(c, mass_case, joint)));
       columns.back().positive = known;
     }
     return columns;
@@ -127,16 +128,6 @@ class JointComplianceEffect final : public Effect {
     // The column's sign is that of gravity, which pulls the stretched arm of row 1 down (-).
     example.expected = -3e-4;
     return example;
-  }
-
- private:
-  static EffectColumn Column(const PhysicsContext& c,
-                             int joint,
-                             const std::string& name,
-                             const std::string& unit,
-                             double typical_moment,
-                             const Eigen::VectorXd& torque) {
-    return SlotColumn(name, unit, Typical(joint) * typical_moment, c.joint_slot(joint), torque);
   }
 };
 

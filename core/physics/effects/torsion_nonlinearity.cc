@@ -64,10 +64,13 @@ class TorsionNonlinearityEffect final : public Effect {
     const int joint = JointIndex(request);
     const Eigen::VectorXd torque = Torque(c, request);
     if (const double end = request.setting(kSoftTorque, 0); end > 0) {
-      return {SlotColumn(
-          "soft", "rad/(N m)", 1e-6, c.joint_slot(joint), torque.cwiseMin(end).cwiseMax(-end))};
+      return {SlotColumn("soft",
+                         "rad/(N m)",
+                         1e-6 * SoftnessOfSize(c),
+                         c.joint_slot(joint),
+                         torque.cwiseMin(end).cwiseMax(-end))};
     }
-    const double largest = std::max(torque.cwiseAbs().maxCoeff(), 1.0);
+    const double largest = std::max(torque.cwiseAbs().maxCoeff(), 1.0 / SoftnessOfSize(c));
     // A twentieth of a milliradian at the largest torque.
     const double typical = 5e-5 / (largest * largest * largest);
     return {SlotColumn(
@@ -114,11 +117,18 @@ class TorsionNonlinearityEffect final : public Effect {
           Quantity(Find(values, "soft"), 1e-6, "urad/(N m)"),
           end);
     }
-    const EffectValue cubic = Find(values, "cubic");
-    return fmt::format("{} is twisted in proportion to the cube of its torque: {} ({})",
-                       JointWords(context, request.joint),
-                       Quantity(cubic, 1e-12, "prad/(N m)^3"),
-                       cubic.value < 0 ? "stiffer under load" : "softer under load");
+    // Nobody knows a usual number of radians per cubed newton metre.
+    const double largest = Torque(context, request).cwiseAbs().maxCoeff();
+    EffectValue twist = Find(values, "cubic");
+    twist.value *= std::pow(largest, 3);
+    twist.sigma *= std::pow(largest, 3);
+    return fmt::format(
+        "{} is twisted in proportion to the cube of its torque, by {} at its largest of {:.3g} N m "
+        "({})",
+        JointWords(context, request.joint),
+        Quantity(twist, 1e-6, "urad"),
+        largest,
+        twist.value < 0 ? "stiffer under load" : "softer under load");
   }
 
   WorkedExample Example() const override {

@@ -17,6 +17,14 @@ SlotColumns ColumnsOf(const Item& item, const PhysicsContext& context) {
   return columns;
 }
 
+bool IsByTheClock(const Item& item, const PhysicsContext& context) {
+  const std::string driver =
+      item.kind == ItemKind::kEffect
+          ? FindEffect(item.request.effect)->Place(context, item.request).driver
+          : item.driver;
+  return driver == "time" || driver == "order of the rows";
+}
+
 EffectRequest WithValues(const Item& item,
                          const PhysicsContext& context,
                          const Eigen::VectorXd& value) {

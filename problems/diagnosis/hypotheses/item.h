@@ -54,6 +54,9 @@ struct Item {
 /// Columns of an effect or a cell in the circumstances of `context`; none of a completion.
 SlotColumns ColumnsOf(const Item& item, const PhysicsContext& context);
 
+/// True for a function of the time or of the order of the rows.
+bool IsByTheClock(const Item& item, const PhysicsContext& context);
+
 /// An effect's request with the values of its parameters.
 EffectRequest WithValues(const Item& item,
                          const PhysicsContext& context,

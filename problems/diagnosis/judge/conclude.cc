@@ -115,6 +115,14 @@ std::string NamesOfFindings(const DiagnosisResult& d) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// What is added to a verdict that passes over a noise larger than stated.
+std::string DoubtOf(const Judged& judged) {
+  if (judged.doubted == 0) return "";
+  return fmt::format(
+      ", though what is left is {:.1f} times as large as the stated noise (without a pattern)",
+      judged.doubted);
+}
+
 }  // namespace
 
 void AddTwins(const PhysicsContext& context, Finding* finding) {
@@ -191,27 +199,39 @@ void GiveVerdict(const Judged& judged, DiagnosisResult* d) {
     physics = physics || finding.effect_class != "geometry";
     confusable = confusable || !finding.confusable_with.empty();
   }
-  const bool rest = judged.rest || judged.cells || judged.moved;
+  const bool rest = judged.pattern() || judged.restless > 0;
+  const std::string too_large =
+      fmt::format("{:.1f} times as large as the stated noise, without a pattern", judged.restless);
   if (d->findings.empty() && !rest) {
     d->verdict = DiagnosisVerdict::kConsistent;
-    d->summary = "the rigid model meets the noise; no missing effect was detected";
+    d->summary = judged.doubted == 0
+                     ? "the rigid model meets the noise; no missing effect was detected"
+                     : "no missing effect was detected" + DoubtOf(judged);
   } else if (!physics && rest) {
     d->verdict = DiagnosisVerdict::kUnexplained;
-    d->summary = "something is left out that no effect of the library describes";
+    d->summary = judged.pattern()
+                     ? "something is left out that no effect of the library describes"
+                     : "the residuals are " + too_large +
+                           ": the readings are noisier than stated, or something is left out that "
+                           "no effect of the library describes";
     if (!d->findings.empty()) d->summary += ", beside " + NamesOfFindings(*d);
   } else if (confusable && !judged.cells) {
     d->verdict = DiagnosisVerdict::kAmbiguous;
     d->summary = "more than one effect explains the misfit at these poses; the likeliest: " +
                  NamesOfFindings(*d);
-    if (rest) d->summary += "; what they leave exceeds the noise";
+    if (rest) {
+      d->summary += judged.pattern() ? "; what they leave exceeds the noise"
+                                     : "; what they leave is " + too_large;
+    }
   } else if (rest) {
     d->verdict = DiagnosisVerdict::kPartlyExplained;
-    d->summary = "explained in part by " + NamesOfFindings(*d) + "; the rest exceeds the noise";
+    d->summary = "explained in part by " + NamesOfFindings(*d) + "; the rest " +
+                 (judged.pattern() ? "exceeds the noise" : "is " + too_large);
   } else {
     d->verdict = DiagnosisVerdict::kExplained;
     d->summary = (physics ? "explained by "
                           : "the rigid model meets the noise once its geometry is complete: ") +
-                 NamesOfFindings(*d);
+                 NamesOfFindings(*d) + DoubtOf(judged);
   }
 }
 

@@ -9,9 +9,13 @@ namespace dhcal {
 
 /// What the verdict is made of.
 struct Judged {
-  bool rest = false;   // something significant is left
-  bool cells = false;  // part of the model has no name
-  bool moved = false;  // a joint moved readings that were set aside
+  bool rest = false;    // what is left has a pattern
+  bool cells = false;   // part of the model has no name
+  bool moved = false;   // a joint moved readings that were set aside
+  double restless = 0;  // times the stated noise, what is left; 0 = it is not clearly larger
+  double doubted = 0;   // the same, of a noise that no chance makes so much larger; 0 = it may
+
+  bool pattern() const { return rest || cells || moved; }
 };
 
 /// Fills verdict and summary from the findings, what they may be confused with, and the rest.

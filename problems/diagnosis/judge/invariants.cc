@@ -13,6 +13,8 @@ namespace {
 
 using Sentences = std::vector<std::string>;
 
+constexpr double kMostUnlike = 1e3;
+
 bool IsProbability(double p) { return std::isnan(p) || (p >= 0 && p <= 1); }
 
 void CheckFinding(const Finding& f, const DiagnosisResult& d, Sentences* wrong) {
@@ -43,6 +45,7 @@ void CheckVerdict(const DiagnosisResult& d, Sentences* wrong) {
   const bool alternatives = std::any_of(d.findings.begin(), d.findings.end(), [](const auto& f) {
     return !f.confusable_with.empty();
   });
+  const bool by_chance = d.misfit.p_value > d.false_alarm;
   const auto say = [&](const std::string& what) {
     wrong->push_back(fmt::format("{}: {}", ToString(d.verdict), what));
   };
@@ -59,12 +62,14 @@ void CheckVerdict(const DiagnosisResult& d, Sentences* wrong) {
       break;
     case DiagnosisVerdict::kPartlyExplained:
       if (!physics) say("but no physics is found");
+      if (by_chance) say("but the misfit has a p above the rate");
       if (!d.unexplained) say("but nothing is unexplained");
       break;
     case DiagnosisVerdict::kAmbiguous:
       if (!alternatives) say("but no finding has an alternative");
       break;
     case DiagnosisVerdict::kUnexplained:
+      if (by_chance) say("but the misfit has a p above the rate");
       if (physics) say("but physics is found");
       break;
     case DiagnosisVerdict::kFailed:
@@ -97,6 +102,13 @@ void CheckTotals(const DiagnosisResult& d, Sentences* wrong) {
     wrong->push_back("rows set aside: not as many as are listed");
   }
   if (!IsProbability(d.misfit.p_value)) wrong->push_back("misfit: its p is no probability");
+  // Rows of unlike noise, or with rounded angles, make these two differ; not by orders.
+  const double in_sigmas = std::sqrt(d.misfit.statistic / d.misfit.dof);
+  if (d.misfit.rms > kMostUnlike * in_sigmas * d.misfit.noise_sigma) {
+    wrong->push_back(fmt::format("misfit: an RMS of {:.3g} m where the statistic says {:.3g} m",
+                                 d.misfit.rms,
+                                 in_sigmas * d.misfit.noise_sigma));
+  }
   if (!d.findings.empty()) return;
   if (!d.model.empty()) wrong->push_back("a model without findings");
   if (!d.moved.empty()) wrong->push_back("parameters moved by something without findings");

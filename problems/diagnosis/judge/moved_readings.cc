@@ -22,7 +22,7 @@ double SquaresOf(const JointModel& model,
   const Calibration& c = model.calibration();
   RowChoice choice = *outcome.fit.choice;
   choice.weights.weight.resize(0);
-  choice.weights.correlation = 0;
+  choice.weights.slow = SlowNoise();
   choice.readings.clear();
   for (const std::vector<Reading>* const set : {&c.readings.fitted, &c.readings.test}) {
     for (const Reading& reading : *set) {

@@ -86,9 +86,10 @@ UnseenRows::UnseenRows(const JointModel& model,
     first += member.item.size;
   }
   white_ = RowsOf(joint);
-  RowChoice unit = choice;
-  unit.weights = RowWeights();
-  raw_ = RowsOf(model.At(joint.state, unit, joint.free));
+  RowChoice as_read = choice;
+  as_read.weights = RowWeights();
+  as_read.weights.as_read = true;
+  raw_ = RowsOf(model.At(joint.state, as_read, joint.free));
   const Augmented augmented = AugmentedRows(model, joint, joint.N);
   const Index rows = joint.y().size();
   const MatrixXd priors = augmented.B.bottomRows(augmented.B.rows() - rows);
@@ -102,7 +103,7 @@ UnseenRows::UnseenRows(const JointModel& model,
     RowChoice of_test = choice;
     of_test.readings = test;
     test_white_ = RowsOf(model.At(joint.state, of_test, joint.free));
-    of_test.weights = RowWeights();
+    of_test.weights = as_read.weights;
     test_raw_ = RowsOf(model.At(joint.state, of_test, joint.free));
     Way way;
     way.test = true;

@@ -1,6 +1,7 @@
 #include "problems/diagnosis/rows/moved_by_joint.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 
@@ -14,6 +15,9 @@ using Eigen::VectorXd;
 
 // Of a reading's squares that its joint's motion explains; a third of three coordinates by chance.
 constexpr double kAlongMotion = 0.6;
+constexpr double kChanceAlong = 0.23;  // that an error in any direction of space is
+constexpr std::size_t kOneVisit = 2;   // readings from one to the next
+constexpr std::size_t kFewestVisits = 3;
 constexpr std::size_t kFewest = 4, kMost = 60;  // readings of one place
 
 /// Which of the readings that lie off are off along the joint's motion.
@@ -58,6 +62,49 @@ Window LeastLikely(const std::vector<int>& rank, std::size_t readings) {
   return least;
 }
 
+/// Readings that follow each other count as one visit of a place: they have all else in common,
+/// too.
+std::vector<std::size_t> Visits(const std::vector<std::size_t>& readings) {
+  std::vector<std::size_t> first;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    if (k == 0 || readings[k] > readings[k - 1] + kOneVisit) first.push_back(readings[k]);
+  }
+  return first;
+}
+
+/// How likely it is that so many readings anywhere in a joint's range, of `all`, lie within a
+/// stretch of `within` neighbours of it: the lowest of them is anywhere, the others are behind it.
+double ChanceOfAStretch(std::size_t visits, std::size_t within, std::size_t all) {
+  const auto k = static_cast<double>(visits), m = static_cast<double>(within),
+             n = static_cast<double>(all);
+  const double log_chance = std::lgamma(m) - std::lgamma(m - k + 1) + std::log(k) +
+                            std::log(n - m + m / k) - std::lgamma(n + 1) + std::lgamma(n - k + 1);
+  return std::min(1.0, std::exp(log_chance));
+}
+
+/// True where all that lies off is off along the joint's motion, at one of its places: few
+/// readings, but none that is elsewhere.
+bool AllAtOnePlace(const JointAtReadings& joint,
+                   const std::vector<bool>& along,
+                   const std::vector<bool>& off,
+                   double joints) {
+  std::vector<std::size_t> readings;
+  for (std::size_t k = 0; k < off.size(); ++k) {
+    if (off[k] && !along[k]) return false;
+    if (off[k]) readings.push_back(k);
+  }
+  const std::vector<std::size_t> visits = Visits(readings);
+  if (visits.size() < kFewestVisits) return false;
+  const VectorXd own = joint.place(readings);
+  const double low = own.minCoeff(), high = own.maxCoeff();
+  const auto within = std::count_if(
+      joint.place.begin(), joint.place.end(), [&](double q) { return q >= low && q <= high; });
+  const double chance =
+      ChanceOfAStretch(visits.size(), static_cast<std::size_t>(within), off.size());
+  return joints * chance * std::pow(kChanceAlong, static_cast<double>(visits.size())) <
+         kChanceOfAPlace;
+}
+
 /// Marks the readings of all such places of one joint.
 void MarkPlaces(const std::vector<JointAtReadings>& joints,
                 int joint,
@@ -92,7 +139,14 @@ std::vector<int> MovedByAJoint(const std::vector<JointAtReadings>& joints,
                                const std::vector<bool>& off) {
   std::vector<int> moved(off.size(), -1);
   for (std::size_t k = 0; k < joints.size(); ++k) {
-    MarkPlaces(joints, static_cast<int>(k), AlongMotion(joints[k], residuals, off), &moved);
+    const std::vector<bool> along = AlongMotion(joints[k], residuals, off);
+    if (AllAtOnePlace(joints[k], along, off, static_cast<double>(joints.size()))) {
+      for (std::size_t i = 0; i < off.size(); ++i) {
+        if (off[i]) moved[i] = static_cast<int>(k);
+      }
+      return moved;
+    }
+    MarkPlaces(joints, static_cast<int>(k), along, &moved);
   }
   return moved;
 }

@@ -130,7 +130,7 @@ def _twist(effect, joint, q, frames, carried):
             r, t, at = _wobble(parameter, effect, joint, q, frames), [0.0] * 3, _axis(frames, joint)[1]
         elif effect["effect"] == "base_compliance":
             moment = _load(_masses(parameter, effect, carried), 0, [0.0] * 3, frames)[1]
-            axis = 0 if parameter.startswith("compliance_x") else 1
+            axis = "xyz".index(parameter[len("compliance_")])
             r, t = [moment[k] if k == axis else 0.0 for k in range(3)], [0.0] * 3
         else:
             r, t, at = _bend(_masses(parameter, effect, carried), joint, frames)

@@ -1,6 +1,10 @@
 // Joint angles in radians under the name of degrees, or the reverse.
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -24,10 +28,14 @@ class JointUnitKind : public CauseKind {
     const int n = files.num_joints();
     // All of them, the wrist, and each alone.
     for (const AngleUnit unit : {AngleUnit::kHoldsRadians, AngleUnit::kHoldsDegrees}) {
-      Add(files, from, unit, 0, n, set_ups);
-      if (n > 3) Add(files, from, unit, n - 3, n, set_ups);
-      if (n > 3) Add(files, from, unit, 0, n - 3, set_ups);
-      for (int j = 0; j < n; ++j) Add(files, from, unit, j, j + 1, set_ups);
+      std::vector<std::pair<int, int>> ranges = {{0, n}};
+      if (n > 3) ranges.insert(ranges.end(), {{n - 3, n}, {0, n - 3}});
+      for (int j = 0; j < n; ++j) ranges.emplace_back(j, j + 1);
+      for (const auto& [begin, end] : ranges) {
+        if (auto changed = InUnit(files, from, unit, begin, end)) {
+          set_ups->push_back(std::move(*changed));
+        }
+      }
     }
   }
   int Weight(const SetUp& set_up) const override {
@@ -89,13 +97,10 @@ class JointUnitKind : public CauseKind {
   }
 
  private:
-  /// Joints [begin, end) in another unit, where their columns stay within what an arm turns.
-  static void Add(const Files& files,
-                  const SetUp& from,
-                  AngleUnit unit,
-                  int begin,
-                  int end,
-                  std::vector<SetUp>* set_ups) {
+  /// Joints [begin, end) in another unit; nothing where that changes none of them, or where their
+  /// columns leave what an arm turns.
+  static std::optional<SetUp> InUnit(
+      const Files& files, const SetUp& from, AngleUnit unit, int begin, int end) {
     SetUp changed = from;
     bool any = false;
     for (int j = begin; j < end; ++j) {
@@ -103,11 +108,12 @@ class JointUnitKind : public CauseKind {
       SetUp::Joint& joint = changed.joints[static_cast<std::size_t>(j)];
       const double most =
           files.recording.q.col(joint.column).cwiseAbs().maxCoeff() * FactorOf(unit);
-      if (!(most <= kMostTurned)) return;
+      if (!(most <= kMostTurned)) return std::nullopt;
       any = any || joint.unit != unit;
       joint.unit = unit;
     }
-    if (any) set_ups->push_back(changed);
+    if (!any) return std::nullopt;
+    return changed;
   }
 };
 

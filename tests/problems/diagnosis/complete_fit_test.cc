@@ -25,9 +25,9 @@ TEST(FitCompleteWithCurves, DoesNotDependOnWhereItStarts) {
   const Draw draw = DrawWithALineAndACompliance();
   const std::vector<EffectRequest> effects = {Request("transmission_error", 3),
                                               Request("joint_compliance", 2)};
-  const auto geometry = FitComplete(draw.spec, draw.recording, {}, nullptr, {});
-  const auto cold = FitComplete(draw.spec, draw.recording, effects, nullptr, {});
-  const auto near = FitComplete(draw.spec, draw.recording, effects, nullptr, {}, geometry.get());
+  const auto geometry = FitComplete(draw.spec, draw.recording, {}, {});
+  const auto cold = FitComplete(draw.spec, draw.recording, effects, {});
+  const auto near = FitComplete(draw.spec, draw.recording, effects, {}, geometry.get());
   ASSERT_TRUE(cold->usable());
   ASSERT_TRUE(near->usable());
   const double sigma = draw.spec.measurement.sigma.value();
@@ -44,7 +44,6 @@ TEST(FitCompleteWithCurves, FindsTheNoiseWhereItIsNotGiven) {
   const auto fit = FitComplete(draw.spec,
                                draw.recording,
                                {Request("transmission_error", 3), Request("joint_compliance", 2)},
-                               nullptr,
                                {});
   ASSERT_TRUE(fit->usable());
   EXPECT_NEAR(fit->fit.noise_seen.sigma, sigma, 0.1 * sigma);

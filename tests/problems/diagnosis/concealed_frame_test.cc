@@ -37,12 +37,10 @@ Draw PlainDraw(std::uint64_t seed) {
 
 /// Findings and notes of the step alone.
 DiagnosisResult Concealed(const ProblemSpec& spec, const Recording& recording) {
-  DiagnosisResult d;
-  const auto complete = FitComplete(spec, recording, {}, nullptr, {});
+  const auto complete = FitComplete(spec, recording, {}, {});
   const auto missing = MissingCompletions(Calibration(spec, recording), complete->calibration);
-  AddConcealedFrames(
-      spec, recording, IdentifyGeometry(spec, recording, {}), *complete, missing, &d);
-  return d;
+  return ConcealedFrames(
+      spec, recording, IdentifyGeometry(spec, recording, {}), *complete, missing);
 }
 
 struct PaperCase {

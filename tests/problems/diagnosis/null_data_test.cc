@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/kinematics/dh_chain.h"
@@ -91,6 +92,22 @@ TEST(NullData, OneMisreadSharedPoseIsSetAsideAsAPositionIs) {
     EXPECT_EQ(d.verdict, DiagnosisVerdict::kConsistent) << shared << ": " << d.summary;
     EXPECT_EQ(d.misfit.outlier_rows, std::vector<int>{50}) << shared;
     EXPECT_EQ(d.misfit.outliers, 1) << shared;
+  }
+}
+
+// Who states a quarter of the real noise hears of it, and of no joint.
+TEST(NullData, ANoiseStatedMuchTooSmallHasNoPlace) {
+  for (const std::uint64_t seed : {11, 12, 13}) {
+    SCOPED_TRACE(seed);
+    Draw draw = MakeDraw(Scenario(), seed);
+    draw.spec.measurement.sigma = draw.spec.measurement.sigma.value() / 4;
+    const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
+    EXPECT_EQ(d.verdict, DiagnosisVerdict::kUnexplained);
+    EXPECT_LT(d.misfit.p_value, d.false_alarm);
+    EXPECT_THAT(d.summary, testing::HasSubstr("noisier than stated"));
+    ASSERT_TRUE(d.unexplained);
+    EXPECT_TRUE(d.unexplained->slot.empty());
+    EXPECT_TRUE(d.unexplained->curve.empty());
   }
 }
 

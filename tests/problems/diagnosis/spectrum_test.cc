@@ -52,7 +52,8 @@ TEST_P(ScanOrdersLaw, RemovesWhatTheColumnsOfTheLineRemove) {
     return rows.Column({{slot, (angle.array() + phase).sin().matrix()}});
   };
   const Eigen::VectorXd y = ProjectOff(basis, 40e-6 * line(kOrder, 0.7));
-  for (const SpectralPeak& peak : ScanOrders(c.Context(), rows, basis, y, rows.num_rows(), true)) {
+  const ScannedRows scanned{basis, y, static_cast<double>(rows.num_rows()), true};
+  for (const SpectralPeak& peak : ScanOrders(c.Context(), rows, scanned)) {
     if (peak.joint != kJoint) {
       EXPECT_LT(peak.Q, 0.5 * y.squaredNorm());
       continue;

@@ -22,7 +22,6 @@ class LeftOutRowsTest : public testing::Test {
                        {Request("joint_compliance", 2),
                         Request("joint_gain", 3),
                         Request("transmission_error", 4)},
-                       nullptr,
                        {});
   }
   Draw draw_;

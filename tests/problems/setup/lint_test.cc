@@ -58,5 +58,13 @@ TEST_F(LintOf, GravityAlongATiltedBaseAsksForIt) {
   EXPECT_THAT(Lint(spec, recording), ElementsAre(HasSubstr("tilted by 90.0 deg")));
 }
 
+TEST_F(LintOf, GravityOfARobotOnTheCeilingIsStatedWell) {
+  spec.robot.links.resize(6);
+  spec.robot.X_WB = MakeFrame({0, 0, 3}, {kPi, 0, 0.7});
+  EXPECT_THAT(Lint(spec, recording), ElementsAre(HasSubstr("tilted by 180.0 deg")));
+  spec.robot.gravity_B = {0, 0, 9.80665};
+  EXPECT_THAT(Lint(spec, recording), IsEmpty());
+}
+
 }  // namespace
 }  // namespace dhcal

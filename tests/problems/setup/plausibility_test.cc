@@ -6,7 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/units.h"
 #include "problems/diagnosis/calibrate.h"
+#include "problems/setup/frames_alone.h"
 #include "residuals/registry.h"
 #include "tests/support/files.h"
 #include "tests/support/problem_cases.h"
@@ -58,6 +60,37 @@ TEST(Plausibility, RefusesTheControllersOwnPositions) {
   EXPECT_FALSE(result.setup.plausible);
   ASSERT_EQ(result.setup.causes.size(), 1U);
   EXPECT_EQ(result.setup.causes[0].kind, "own_position");
+}
+
+/// A good robot whose angles are written to a hundredth of a degree: its errors and the noise are
+/// smaller than what that rounding makes of them.
+TEST(Plausibility, TakesCoarseJointAnglesForNoControllersPositions) {
+  for (const std::uint64_t seed : {5U, 6U, 7U}) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const ProblemSpec spec = ProblemOf(Kr15(), KindNamed("position"));
+    Recording recording = RecordingOfRobot(spec.robot, 80, 15e-6, &rng, /*errors=*/0.1);
+    recording.p_WQ = 1e-6 * (recording.p_WQ / 1e-6).array().round();
+    recording.q = 0.01 * kDegree * (recording.q / (0.01 * kDegree)).array().round();
+    const Result result = Calibrated(spec, recording);
+    EXPECT_TRUE(result.setup.plausible) << testing::PrintToString(result.setup.reasons);
+  }
+}
+
+TEST(Plausibility, RefusesTheControllersOwnPositionsBesideCoarseJointAngles) {
+  for (const std::uint64_t seed : {5U, 6U, 7U}) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const ProblemSpec spec = ProblemOf(Kr15(), KindNamed("position"));
+    Recording recording = RecordingOfRobot(spec.robot, 80, 0, &rng);
+    recording.p_WQ = 1e-5 * (FitFrames(spec, recording).points.transpose() / 1e-5).array().round();
+    recording.q = 0.01 * kDegree * (recording.q / (0.01 * kDegree)).array().round();
+    const Result result = Calibrated(spec, recording);
+    EXPECT_FALSE(result.setup.plausible);
+    ASSERT_EQ(result.setup.causes.size(), 1U);
+    EXPECT_EQ(result.setup.causes[0].kind, "own_position");
+    EXPECT_THAT(result.setup.causes[0].sentence, HasSubstr("last digit of the joints"));
+  }
 }
 
 TEST(Plausibility, LeavesNothingThatCouldBeTakenForACalibration) {

@@ -21,7 +21,7 @@ Draw CompliantDraw(std::uint64_t seed) {
 }
 
 double Rms(const ProblemSpec& spec, const Recording& recording) {
-  const auto fit = FitComplete(spec, recording, {}, nullptr, {});
+  const auto fit = FitComplete(spec, recording, {}, {});
   EXPECT_TRUE(fit->usable());
   return Statistics(fit->calibration, fit->state(), fit->calibration.readings.fitted).rms;
 }

@@ -32,22 +32,26 @@ std::string MeasurementYaml(const Trial& trial) {
   return text;
 }
 
-std::string ProblemYaml(const Trial& trial,
-                        const std::string& name,
-                        const std::string& head,
-                        const std::string& estimate,
-                        const std::string& effects,
-                        const std::string& diagnosis) {
+/// What a problem file says besides robot and measurement.
+struct Task {
+  std::string name;
+  std::string comment;  // whole lines, above all else
+  std::string estimate = "[complete]";
+  std::string effects;  // whole lines
+  std::string diagnosis = "{run: never}";
+};
+
+std::string ProblemYaml(const Trial& trial, const Task& task) {
   return fmt::format(
       "{}schema: 1\nname: {}\n{}{}recording: recording.csv\nparameters:\n"
       "  estimate: {}\n{}diagnosis: {}\n",
-      head,
-      name,
+      task.comment,
+      task.name,
       RobotYaml(trial.drawing),
       MeasurementYaml(trial),
-      estimate,
-      effects,
-      diagnosis);
+      task.estimate,
+      task.effects,
+      task.diagnosis);
 }
 
 std::string EffectsYaml(const Trial& trial) {
@@ -103,8 +107,10 @@ std::string Answer(const Trial& trial, const std::string& name) {
     answer["largest_elsewhere_m"] = elsewhere.largest;
   }
   if (LibraryHasAll(trial)) {
-    answer["oracle_problem"] =
-        ProblemYaml(trial, name + "_oracle", "", "[complete]", EffectsYaml(trial), "{run: never}");
+    Task oracle;
+    oracle.name = name + "_oracle";
+    oracle.effects = EffectsYaml(trial);
+    answer["oracle_problem"] = ProblemYaml(trial, oracle);
   }
   // Whoever knows the scenarios must not find the answer by trying their hashes.
   Rng rng(trial.seed * 104729 + 71);
@@ -182,7 +188,7 @@ CaseFiles FilesOf(const Trial& trial) {
       "# sha256 of the sealed answer: {}\n",
       Sha256(files.answer));
   // The name of the case would give the scenario away to the program; the folder has it.
-  files.problem = ProblemYaml(trial, "concealed", head, trial.estimate, "", "{run: always}");
+  files.problem = ProblemYaml(trial, {"concealed", head, trial.estimate, "", "{run: always}"});
   files.recording = RecordingCsv(trial);
   return files;
 }

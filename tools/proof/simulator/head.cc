@@ -121,14 +121,11 @@ bool WithinRange(const Arm& arm, const VectorXd& q) {
   return ((q - arm.middle).cwiseAbs() - arm.wide).maxCoeff() < kBeyond;
 }
 
-/// Joint angles of a run over an edge; nothing where the arm cannot follow.
-std::optional<MatrixXd> Follow(const Arm& arm,
-                               const EdgeHead& head,
-                               const Isometry3d& edge,
-                               const VectorXd& near,
-                               int poses,
-                               Rng* rng) {
-  MatrixXd q(poses, near.size());
+/// Joint angles of a run over an edge, near `q` (poses x joints); nothing where the arm cannot
+/// follow.
+std::optional<MatrixXd> Follow(
+    const Arm& arm, const EdgeHead& head, const Isometry3d& edge, MatrixXd q, Rng* rng) {
+  const auto poses = static_cast<int>(q.rows());
   for (int k = 0; k < poses; ++k) {
     const double at = head.length * ((k + rng->Uniform(0, 1)) / poses - 0.5);
     const Isometry3d wanted = edge * Eigen::Translation3d(at, 0, kStandOff) *
@@ -136,7 +133,7 @@ std::optional<MatrixXd> Follow(const Arm& arm,
                               TurnBy(rng->Uniform(-kPi / 2, kPi / 2), Vector3d::UnitZ()) *
                               TurnBy(rng->Uniform(-kTilt, kTilt), Vector3d::UnitX()) *
                               TurnBy(rng->Uniform(-kTilt, kTilt), Vector3d::UnitY());
-    const std::optional<VectorXd> reached = Reach(arm, wanted, near);
+    const std::optional<VectorXd> reached = Reach(arm, wanted, q.row(k).transpose());
     if (!reached || !WithinRange(arm, *reached)) return std::nullopt;
     q.row(k) = reached->transpose();
   }
@@ -150,11 +147,12 @@ VectorXd Slope(const EdgeHead& head, const MatrixXd& more, const MatrixXd& less)
 
 }  // namespace
 
-Motion AlongEdges(const Arm& arm, int placements, int poses, int tests, EdgeHead* head, Rng* rng) {
+Motion AlongEdges(const Arm& arm, const EdgeRuns& runs, EdgeHead* head, Rng* rng) {
+  const int poses = runs.poses;
   const Physics rigid(arm.num_joints());
-  MatrixXd all(placements * poses, arm.num_joints());
+  MatrixXd all(runs.placements * poses, arm.num_joints());
   int filled = 0;
-  for (int tries = 0; filled < placements; ++tries) {
+  for (int tries = 0; filled < runs.placements; ++tries) {
     CHECK_LT(tries, kMostTries) << "the arm reaches no edge";
     VectorXd q(arm.num_joints());
     for (Index j = 0; j < q.size(); ++j) {
@@ -163,7 +161,8 @@ Motion AlongEdges(const Arm& arm, int placements, int poses, int tests, EdgeHead
     const Isometry3d X = TruePoses(arm, rigid, OnePlace(q.transpose())).front();
     const Isometry3d edge = X * TurnBy(rng->Uniform(-kPi / 2, kPi / 2), Vector3d::UnitZ()) *
                             Eigen::Translation3d(0, 0, kStandOff) * TurnBy(kPi, Vector3d::UnitX());
-    const std::optional<MatrixXd> run = Follow(arm, *head, edge, q, poses, rng);
+    const std::optional<MatrixXd> run =
+        Follow(arm, *head, edge, q.transpose().replicate(poses, 1), rng);
     if (!run) continue;
     all.middleRows(static_cast<Index>(filled) * poses, poses) = *run;
     head->placements.push_back(edge);
@@ -175,7 +174,7 @@ Motion AlongEdges(const Arm& arm, int placements, int poses, int tests, EdgeHead
     const auto i = static_cast<std::size_t>(k);
     motion.time[k] = kSecondsOfPose * k;
     motion.run[i] = 1 + k / poses;
-    motion.test[i] = k % poses >= poses - tests;
+    motion.test[i] = k % poses >= poses - runs.tests;
   }
   return motion;
 }

@@ -28,9 +28,15 @@ struct EdgeHead {
   std::vector<Eigen::Isometry3d> placements;         // x along the rulings, z out of the face
 };
 
-/// Sends the arm along `placements` of an edge within its reach, each a run of `poses` poses with
-/// the tool tilted by up to 25 deg and turned; the last `tests` of each are never fitted.
-Motion AlongEdges(const Arm& arm, int placements, int poses, int tests, EdgeHead* head, Rng* rng);
+struct EdgeRuns {
+  int placements = 0;
+  int poses = 0;  // of each
+  int tests = 0;  // of them, the last ones, never fitted
+};
+
+/// Sends the arm along placements of an edge within its reach, each a run of its own, with the tool
+/// tilted by up to 25 deg and turned.
+Motion AlongEdges(const Arm& arm, const EdgeRuns& runs, EdgeHead* head, Rng* rng);
 
 /// Ruler, height 1, height 2 of every pose (poses x 3) [m], without noise.
 Eigen::MatrixXd HeadNumbers(const EdgeHead& head,

@@ -18,7 +18,7 @@ void CleanHead(Trial* trial, Rng* rng) {
   trial->head.emplace();
   trial->head->length = EdgeLength(*trial);
   trial->motion =
-      AlongEdges(trial->drawing, kPlacements, kPosesOfEach, kTestsOfEach, &*trial->head, rng);
+      AlongEdges(trial->drawing, {kPlacements, kPosesOfEach, kTestsOfEach}, &*trial->head, rng);
   trial->sensor.noise = trial->head->camera_noise;
 }
 

@@ -20,13 +20,17 @@ struct Load {
 
 Vector3d Weight(double mass) { return {0, 0, -kGravity * mass}; }
 
+/// An arm as it stands, with what it carries. Refers to its parts.
+struct LoadedArm {
+  const Arm& arm;
+  const ScrewArm& screws;
+  const std::vector<Isometry3d>& motions;
+  double payload;
+};
+
 /// What the bodies beyond link `first` (from 1) put on `point`.
-Load LoadBeyond(const Arm& arm,
-                const ScrewArm& screws,
-                const std::vector<Isometry3d>& motions,
-                double payload,
-                int first,
-                const Vector3d& point) {
+Load LoadBeyond(const LoadedArm& loaded, int first, const Vector3d& point) {
+  const auto& [arm, screws, motions, payload] = loaded;
   Load load;
   const auto add = [&](double mass, const Vector3d& where) {
     load.force += Weight(mass);
@@ -107,7 +111,7 @@ std::vector<Isometry3d> Bends(const Arm& arm,
     const Vector3d near = motions[i] * screws.start(joint).translation();
     const Eigen::Matrix3d to_end = end.linear().transpose();
     const Vector3d beam = to_end * (end.translation() - near);
-    Load load = LoadBeyond(arm, screws, motions, at.payload, joint + 2, end.translation());
+    Load load = LoadBeyond({arm, screws, motions, at.payload}, joint + 2, end.translation());
     load.force = to_end * load.force;
     load.moment = to_end * load.moment;
     bends.emplace_back(Bend(beam, load, physics.link_flexibility[i]));
@@ -127,7 +131,7 @@ VectorXd GravityTorques(const Arm& arm,
     const Isometry3d& before = motions[static_cast<std::size_t>(j)];
     const Vector3d point = before * screws.start(j).translation();
     const Vector3d axis = before.linear() * screws.start(j).linear().col(2);
-    const Load load = LoadBeyond(arm, screws, motions, payload, j + 1, point);
+    const Load load = LoadBeyond({arm, screws, motions, payload}, j + 1, point);
     torques[j] = axis.dot(arm.links[static_cast<std::size_t>(j)].slides ? load.force : load.moment);
   }
   return torques;
@@ -159,7 +163,7 @@ Isometry3d Equilibrium(const Arm& arm,
     if ((motions.back().matrix() - before.matrix()).cwiseAbs().maxCoeff() < kAtRest) break;
   }
   const Vector3d overturning =
-      LoadBeyond(arm, screws, motions, at.payload, 1, Vector3d::Zero()).moment;
+      LoadBeyond({arm, screws, motions, at.payload}, 1, Vector3d::Zero()).moment;
   const Vector3d tilt(physics.base_compliance.x() * overturning.x(),
                       physics.base_compliance.y() * overturning.y(),
                       0);

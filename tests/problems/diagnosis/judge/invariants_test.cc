@@ -21,6 +21,9 @@ DiagnosisResult Sound() {
   d.false_alarm = 0.01;
   d.misfit.p_value = 1e-20;
   d.misfit.noise_sigma = 20e-6;
+  d.misfit.statistic = 25 * 400;
+  d.misfit.dof = 400;
+  d.misfit.rms = 100e-6;
   d.misfit.outliers = 2;
   d.misfit.outlier_rows = {7, 40};
   d.rms_train_before = 100e-6;
@@ -65,6 +68,7 @@ TEST(Contradictions, EachIsNoticed) {
       {"a fraction of 0", [](DiagnosisResult* d) { d->unexplained->fraction = 0; }},
       {"where the RMS say", [](DiagnosisResult* d) { d->unexplained->fraction = 0.01; }},
       {"not as many", [](DiagnosisResult* d) { d->misfit.outlier_rows.pop_back(); }},
+      {"an RMS of", [](DiagnosisResult* d) { d->misfit.rms = 5; }},
       {"no physics is found", [](DiagnosisResult* d) { d->findings.clear(); }},
       {"a model without findings", [](DiagnosisResult* d) { d->findings.clear(); }},
       {"no probability", [](DiagnosisResult* d) { d->findings[0].p_value = -1; }},

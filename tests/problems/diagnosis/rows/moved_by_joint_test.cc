@@ -76,6 +76,36 @@ TEST(MovedByAJoint, ThoseAtADamagedTooth) {
   }
 }
 
+TEST(MovedByAJoint, FewIfNoneIsElsewhere) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Drawn drawn = Misread(seed, kReadings + 1);
+    drawn.off[0] = false;
+    int marked = 0;
+    for (int k = 0; k < kReadings && marked < 4; ++k) {
+      if (std::abs(drawn.joints[4].place[k] - 0.2) > 0.1) continue;
+      drawn.off[static_cast<std::size_t>(k)] = true;
+      drawn.residuals.segment<3>(3 * k) = 9 * drawn.joints[4].motion.segment<3>(3 * k);
+      ++marked;
+    }
+    EXPECT_EQ(Count(MovedByAJoint(drawn.joints, drawn.residuals, drawn.off)), 4) << seed;
+    // One more that is elsewhere, and it could be chance.
+    const auto far = static_cast<std::size_t>(
+        std::max_element(drawn.joints[4].place.begin(), drawn.joints[4].place.end()) -
+        drawn.joints[4].place.begin());
+    drawn.off[far] = true;
+    EXPECT_EQ(Count(MovedByAJoint(drawn.joints, drawn.residuals, drawn.off)), 0) << seed;
+  }
+}
+
+TEST(MovedByAJoint, NoneOfAFewMisreadings) {
+  int recordings = 0;
+  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+    const Drawn drawn = Misread(seed, 60);  // four
+    if (Count(MovedByAJoint(drawn.joints, drawn.residuals, drawn.off)) > 0) ++recordings;
+  }
+  EXPECT_LE(recordings, 9) << "3 are expected at most";
+}
+
 TEST(MovedByAJoint, NeedsReadings) {
   EXPECT_TRUE(MovedByAJoint({}, {}, {}).empty());
   const Drawn drawn = Misread(1, 500);  // a single one

@@ -26,7 +26,7 @@ struct Ride {
 
   Ride() {
     Rng rng(4);
-    motion = AlongEdges(arm, 3, 8, 2, &head, &rng);
+    motion = AlongEdges(arm, {3, 8, 2}, &head, &rng);
   }
   MatrixXd Numbers(const Cause* cause = nullptr) const {
     Physics physics(arm.num_joints());
@@ -90,7 +90,7 @@ TEST(EdgeHead, GeometryHidesAsMuchAsTheReadingsLose) {
   Rng rng(6);
   EdgeHead head;
   const Arm arm = KukaKr15();
-  const Motion motion = AlongEdges(arm, 8, 14, 0, &head, &rng);
+  const Motion motion = AlongEdges(arm, {8, 14, 0}, &head, &rng);
   const MatrixXd differences = Differences(HeadSignatures(head, arm, arm, motion), motion);
   const Eigen::VectorXd s = differences.bdcSvd().singularValues();
   EXPECT_EQ((s.array() > 1e-7 * s[0]).count(), 24 - 1 + 4 * 8);

@@ -90,6 +90,7 @@ Json SettingsToJson(const RandomTrial& trial) {
           {"repeats", std::to_string(s.repeats)},
           {"targets", std::to_string(s.targets)},
           {"tail", ToString(s.tail)},
+          {"slow noise", s.wandering > 0 ? "yes" : "no"},
           {"outliers", fmt::format("{:g} %", 100 * s.outliers)},
           {"sigma", ToString(s.sigma)},
           {"masses", ToString(s.masses)},

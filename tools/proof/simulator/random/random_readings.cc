@@ -43,6 +43,16 @@ Eigen::MatrixXd DrawErrors(const Settings& s, Index rows, Index width, Rng* rng)
       errors(row, k) = again ? errors(row - row % s.repeats, k) + kOwnOfRepeat * drawn : drawn;
     }
   }
+  if (s.wandering == 0) return errors;
+  errors *= std::sqrt(1 - s.wandering);
+  const double fresh = std::sqrt(1 - s.wandering_on * s.wandering_on);
+  for (Index k = 0; k < width; ++k) {
+    double wandered = rng->Normal();
+    for (Index row = 0; row < rows; ++row) {
+      errors(row, k) += std::sqrt(s.wandering) * wandered;
+      wandered = s.wandering_on * wandered + fresh * rng->Normal();
+    }
+  }
   return errors;
 }
 

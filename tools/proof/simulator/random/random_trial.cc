@@ -46,6 +46,18 @@ void MisstateMasses(const Settings& settings, Arm* arm, Rng* rng) {
   }
 }
 
+/// Air and floors move where nothing else is wrong. (Beside a cause the oracle would have to know
+/// which of them it hides.) A stream of its own: trials were drawn before this was.
+void LetNoiseWander(RandomTrial* trial) {
+  constexpr std::uint64_t kStream = 104651;
+  Rng rng(trial->seed * 1000003 + kStream);
+  Settings* s = &trial->settings;
+  const bool independent = s->kind == Kind::kAdjacent && !s->shared_pose;
+  if (!trial->causes.empty() || s->repeats > 1 || independent || !Chance(0.3, &rng)) return;
+  s->wandering = rng.Uniform(0.05, 0.6);
+  s->wandering_on = rng.Uniform(0.6, 0.98);
+}
+
 void PlaceAnchors(RandomTrial* trial, Rng* rng) {
   const Eigen::Isometry3d& base = trial->drawing.base;
   for (const Vector3d& place :
@@ -100,6 +112,7 @@ RandomTrial MakeRandomTrial(int seed) {
   trial.columns = DrawColumns(trial, &rng);
   DrawCauses(&trial, &rng);
   WeighCauses(&trial);
+  LetNoiseWander(&trial);
   return trial;
 }
 

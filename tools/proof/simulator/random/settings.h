@@ -35,6 +35,8 @@ struct Settings {
   Said masses = Said::kRight;
   Tail tail = Tail::kGaussian;
   double outliers = 0;  // share of readings
+  // Of the noise's variance, what goes on from a reading to the next, and how much of it.
+  double wandering = 0, wandering_on = 0;
   Order order = Order::kRandom;
   int rows = 200, repeats = 1, targets = 1, runs = 1;
   bool repeats_share = false;  // repeats of a pose share its error
