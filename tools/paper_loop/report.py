@@ -24,7 +24,7 @@ def row(name, outcome, names):
 
 
 def row_of(outcome, what=""):
-    names = "right" if outcome.right_names else f"{outcome.verdict}, not as put in"
+    names = "right" if outcome.right else outcome.verdict
     return row(f"{outcome.seed}{what}", outcome, names)
 
 
@@ -34,12 +34,12 @@ def pooled(outcomes):
         means, squares, worst = zip(*(getattr(outcome, kind) for outcome in outcomes))
         return sum(means) / len(means), root_mean_square(squares), max(worst)
     predicted = root_mean_square([outcome.predicted for outcome in outcomes])
-    right = all(outcome.right_names for outcome in outcomes)
+    right = all(outcome.right for outcome in outcomes)
     return Outcome(0, of("before"), of("rigid"), of("after"), predicted, "", right)
 
 
 def row_of_all(outcomes):
-    right = sum(outcome.right_names for outcome in outcomes)
+    right = sum(outcome.right for outcome in outcomes)
     return row("all", pooled(outcomes), f"{right} of {len(outcomes)} right")
 
 

@@ -38,8 +38,9 @@ class Physics:
 LEFT_OUT = Physics(compliance=((1, 3e-6),),
                    lines=((2, 1, 0.25e-3, 0.4), (2, 2, 0.15e-3, 1.9)),
                    play=((3, 0.4e-3),))
-# The same in the names of the library, joints from 1: what a right answer holds.
-NAMES = {("joint_compliance", 2), ("gear_harmonic", 3), ("backlash", 4)}
+# The same in the names of the library, joints from 1, and orders: what a right answer holds.
+NAMES = {("joint_compliance", 2, None), ("gear_harmonic", 3, 1), ("gear_harmonic", 3, 2),
+         ("backlash", 4, None)}
 
 
 class Robot:

@@ -42,7 +42,7 @@ class Outcome:
     after: tuple
     predicted: float  # [m] RMS
     verdict: str
-    right_names: bool  # all that was put in, and nothing else
+    right: bool  # explained by all that was put in, and by nothing else
 
 
 def wanted_table(path, points, commands=None):
@@ -137,6 +137,12 @@ def corrected(folder, plan, programs, model, name):
     return commands
 
 
+def names_of(result):
+    """Of the effects that the delivered model holds, with their orders."""
+    effects = result.get("delivered", {"effects": []})["effects"]
+    return {(e["effect"], e.get("joint"), e.get("settings", {}).get("order")) for e in effects}
+
+
 def errors_of(plan, arm, commands):
     """(mean, RMS, worst) of the trajectory that the real robot follows [m]."""
     errors = [plus(at, wanted, -1) for at, wanted in zip(arm.follow(commands), plan.points)]
@@ -158,7 +164,7 @@ def go_round(out, plan, programs, seed, images=False):
     rigid = commands
     if (folder / "result/calibrated_rigid.yaml").exists():
         rigid = corrected(folder, plan, programs, "calibrated_rigid.yaml", "commands_rigid.csv")
-    found = {(f["effect"], f.get("joint")) for f in result["diagnosis"]["findings"]}
+    verdict = result["diagnosis"]["verdict"]
     return Outcome(seed, errors_of(plan, arm, plan.commands), errors_of(plan, arm, rigid),
                    errors_of(plan, arm, commands), result["task"]["after_rms_m"],
-                   result["diagnosis"]["verdict"], found == robot.NAMES)
+                   verdict, verdict == "explained" and names_of(result) == robot.NAMES)
