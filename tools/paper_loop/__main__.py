@@ -16,6 +16,7 @@ sys.dont_write_bytecode = True  # leave no __pycache__ in tools/
 import report  # noqa: E402  (that had to be said first)
 import steps  # noqa: E402
 from programs import Failed, Programs, write_table  # noqa: E402
+from robot import LEFT_OUT  # noqa: E402
 
 
 def seeds_of(text):
@@ -39,6 +40,8 @@ def options_of(words):
                         help="folder for all files (default: %(default)s)")
     parser.add_argument("--seeds", type=seeds_of, default="1-20",
                         help="of noise, of where edge and head are mounted (default: %(default)s)")
+    parser.add_argument("--robot", choices=sorted(LEFT_OUT), default="A",
+                        help="whose physics is left out, in robot.py (default: %(default)s)")
     parser.add_argument("--placements", type=int, default=12,
                         help="of the edge (default: %(default)s)")
     parser.add_argument("--candidates", type=int, default=600,
@@ -55,7 +58,7 @@ def go(options):
     if options.images:
         programs.find("dhcal_ruler")
     options.out.mkdir(parents=True, exist_ok=True)
-    plan = steps.make_plan(options.out, programs, options.placements, options.candidates)
+    plan = steps.make_plan(options, programs)
     print(f"Planned: {len(plan.edges.planned)} placements of an edge, {len(plan.poses)} poses "
           f"({options.out}/plan.txt).\nTrajectory: {len(plan.points)} points, lines and a spiral.")
     print(report.HEADS, flush=True)

@@ -35,12 +35,21 @@ class Physics:
     play: tuple = ()  # (joint, gap [rad])
 
 
-LEFT_OUT = Physics(compliance=((1, 3e-6),),
-                   lines=((2, 1, 0.25e-3, 0.4), (2, 2, 0.15e-3, 1.9)),
-                   play=((3, 0.4e-3),))
-# The same in the names of the library, joints from 1, and orders: what a right answer holds.
-NAMES = {("joint_compliance", 2, None), ("gear_harmonic", 3, 1), ("gear_harmonic", 3, 2),
-         ("backlash", 4, None)}
+LEFT_OUT = {
+    "A": Physics(compliance=((1, 3e-6),), lines=((2, 1, 0.25e-3, 0.4), (2, 2, 0.15e-3, 1.9)),
+                 play=((3, 0.4e-3),)),
+    "B": Physics(compliance=((1, 3e-6), (2, 5e-6)), lines=((0, 2, 0.15e-3, 0.4),),
+                 play=((4, 0.4e-3),)),
+    "C": Physics(compliance=((1, 4e-6),), lines=((3, 2, 0.2e-3, 1.0),), play=((5, 0.5e-3),)),
+    "D": Physics(compliance=((2, 6e-6),), lines=((1, 1, 0.3e-3, 1.0),)),
+    "E": Physics()}
+
+
+def names_of(physics):
+    """In the library's words, joints from 1, with orders: what a right answer holds."""
+    return ({("joint_compliance", joint + 1, None) for joint, _ in physics.compliance}
+            | {("gear_harmonic", joint + 1, cycles) for joint, cycles, _, _ in physics.lines}
+            | {("backlash", joint + 1, None) for joint, _ in physics.play})
 
 
 class Robot:
@@ -101,12 +110,12 @@ def drawn():
     return Robot([row for row, _, _ in DRAWN])
 
 
-def built(rng):
+def built(rng, physics):
     """The real robot; the head sits on its flange a little elsewhere each time."""
     rows = [tuple(x + 1e-6 * error for x, error in zip(row, errors))
             for (row, _, _), errors in zip(DRAWN, ERRORS)]
     shift = tuple(x + rng.gauss(0, 0.3e-3) for x in TOOL)
-    return Robot(rows, LEFT_OUT, turned([rng.gauss(0, 1e-3) for _ in range(3)], shift))
+    return Robot(rows, physics, turned([rng.gauss(0, 1e-3) for _ in range(3)], shift))
 
 
 def senses(commands):

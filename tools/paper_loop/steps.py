@@ -25,6 +25,7 @@ SAME_POINT = 1e-8  # [m] how near two calculations of the drawn robot must come
 class Plan:
     """What is made once, before anything is measured."""
 
+    robot: str  # which of robot.LEFT_OUT
     edges: head.Edges
     poses: list  # [rad] to measure at
     edge_of_pose: list
@@ -42,7 +43,7 @@ class Outcome:
     after: tuple
     predicted: float  # [m] RMS
     verdict: str
-    right: bool  # explained by all that was put in, and by nothing else
+    right: bool  # all that was put in is found, nothing else, and no alternative
 
 
 def wanted_table(path, points, commands=None):
@@ -56,12 +57,13 @@ def wanted_table(path, points, commands=None):
                  for row, q, senses in zip(rows, commands, robot.senses(commands))])
 
 
-def make_plan(out, programs, placements, candidates):
+def make_plan(options, programs):
     """planned.csv, plan.txt: where to put the edge; wanted.csv, nominal.csv: the trajectory, and
     the joint angles of the drawn robot for it."""
+    out = options.out
     write_whole(out / "plan.yaml", DRAWING.read_text(encoding="utf-8"))
     report = programs.run(out, "dhcal_plan", "--problem", "plan.yaml", "--criterion", "I",
-                          "--poses", placements, "--candidates", candidates,
+                          "--poses", options.placements, "--candidates", options.candidates,
                           "--volume_m", VOLUME_M, "--out", "planned.csv")
     write_whole(out / "plan.txt", report)
     poses, rows = read_joints(out / "planned.csv", "rad")
@@ -75,7 +77,8 @@ def make_plan(out, programs, placements, candidates):
     if off > SAME_POINT:
         raise Failed(f"the drawn robots of {DRAWING.name} and robot.py stand {1e6 * off:.3g} um "
                      "apart; one of them was changed: make them alike")
-    return Plan(head.Edges(report), poses, [row["edge"] for row in rows], points, commands)
+    return Plan(options.robot, head.Edges(report), poses, [row["edge"] for row in rows], points,
+                commands)
 
 
 def problem_text(plan):
@@ -137,8 +140,8 @@ def corrected(folder, plan, programs, model, name):
     return commands
 
 
-def names_of(result):
-    """Of the effects that the delivered model holds, with their orders."""
+def found_in(result):
+    """Names, joints and orders of the effects that the delivered model holds."""
     effects = result.get("delivered", {"effects": []})["effects"]
     return {(e["effect"], e.get("joint"), e.get("settings", {}).get("order")) for e in effects}
 
@@ -153,7 +156,8 @@ def go_round(out, plan, programs, seed, images=False):
     """The loop for one seed, in the folder seed_N (with photographs seed_N_images)."""
     folder = out / (f"seed_{seed}_images" if images else f"seed_{seed}")
     folder.mkdir(exist_ok=True)
-    arm = robot.built(random.Random(f"robot {seed}"))
+    physics = robot.LEFT_OUT[plan.robot]
+    arm = robot.built(random.Random(f"robot {seed}"), physics)
     seen = measure(folder, plan, arm, seed)
     if images:
         read_photographs(folder, plan, seen, programs, seed)
@@ -165,6 +169,8 @@ def go_round(out, plan, programs, seed, images=False):
     if (folder / "result/calibrated_rigid.yaml").exists():
         rigid = corrected(folder, plan, programs, "calibrated_rigid.yaml", "commands_rigid.csv")
     verdict = result["diagnosis"]["verdict"]
+    right = (verdict in ("explained", "consistent")
+             and found_in(result) == robot.names_of(physics))
     return Outcome(seed, errors_of(plan, arm, plan.commands), errors_of(plan, arm, rigid),
                    errors_of(plan, arm, commands), result["task"]["after_rms_m"],
-                   verdict, verdict == "explained" and names_of(result) == robot.NAMES)
+                   verdict, right)
