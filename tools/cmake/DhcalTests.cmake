@@ -116,6 +116,12 @@ if(NOT DHCAL_SANITIZE AND NOT DHCAL_COVERAGE)
            COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/problems/guides/guides_test.py"
                    "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}" ${programs})
 endif()
+# The loop of the paper runs most of the programs.
+if(NOT DHCAL_SANITIZE AND NOT DHCAL_COVERAGE)
+  add_test(NAME tools/paper_loop
+           COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/tools/paper_loop_test.py"
+                   "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+endif()
 # The Python module, where it is built; else the test says that it skips.
 if(DHCAL_PYTHON)
   set(python "${PYTHON_EXECUTABLE}")
