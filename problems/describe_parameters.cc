@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 
@@ -9,6 +10,7 @@
 
 #include "core/base/units.h"
 #include "core/math/statistics.h"
+#include "core/physics/effect.h"
 #include "problems/parameter_set.h"
 #include "problems/parameter_values.h"
 
@@ -79,6 +81,28 @@ void Explain(const Determination& d,
   }
 }
 
+/// Slots that free curves move, with the curve. A curve holds a constant, and only its prior
+/// keeps it from taking the slot's own: both are known together, neither for itself.
+std::map<int, EffectRequest> SlotsOfCurves(const Calibration& c) {
+  std::map<int, EffectRequest> curves;
+  for (const Parameter& parameter : c.parameters) {
+    if (parameter.effect_column < 0 || c.ColumnOf(parameter).prior_sigma <= 0) continue;
+    for (const SlotWeights& slot : c.ColumnOf(parameter).slots) {
+      curves[slot.slot] = c.EffectOf(parameter.effect_column);
+    }
+  }
+  return curves;
+}
+
+void ConfoundWithCurve(const EffectRequest& curve, ParameterResult* result) {
+  if (result->verdict != Verdict::kIdentified && result->verdict != Verdict::kWeak) return;
+  result->verdict = Verdict::kConfounded;
+  result->confounded_with = {fmt::format("{}.{}", curve.effect, curve.joint)};
+  result->explanation = fmt::format(
+      "{} has a constant of its own, and only their sum moves the readings: rely on both together",
+      InstanceName(curve));
+}
+
 }  // namespace
 
 std::vector<ParameterResult> DescribeParameters(const Calibration& c,
@@ -89,6 +113,7 @@ std::vector<ParameterResult> DescribeParameters(const Calibration& c,
   const RobotModel calibrated = CalibratedRobot(c, state);
   const Frames frames_nominal(nominal, c.recording), frames(calibrated, c.recording);
   const double quantile = StudentTwoSided(0.95, analysis.degrees_of_freedom);
+  const std::map<int, EffectRequest> curves = SlotsOfCurves(c);
   std::vector<ParameterResult> results;
   const auto start = [&](const Parameter& parameter) {
     ParameterResult result;
@@ -112,6 +137,10 @@ std::vector<ParameterResult> DescribeParameters(const Calibration& c,
     result.ci95_high = result.value + quantile * result.sigma;
     result.verdict = d.verdict;
     Explain(d, parameter, analysis.identifiability.readings.scale[i], null_space, &result);
+    const auto curve = curves.find(parameter.slot);
+    if (parameter.effect_column < 0 && curve != curves.end()) {
+      ConfoundWithCurve(curve->second, &result);
+    }
     results.push_back(result);
   }
   for (const Parameter& parameter : ResolveParameters(c.spec, c.recording).fixed) {

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr std::size_t kFewest = 3;  // repeats that can outvote one
+constexpr std::size_t kFewestToVote = 3;  // repeats that can outvote one
 // Times the median of what repeats are off; of three, that is 0.8 standard deviations, and no
 // normal noise is off by seven.
 constexpr double kFarOff = 9;
@@ -26,7 +26,7 @@ void AddMisread(const MatrixXd& values,
   std::vector<double> off;
   const auto visit = [&](const auto& see) {
     for (std::size_t pose = 0; pose < original.size(); ++pose) {
-      if (original[pose].size() < kFewest) continue;
+      if (original[pose].size() < kFewestToVote) continue;
       for (const int row : original[pose]) {
         for (Index k = 0; k < values.cols(); ++k) {
           const double by = std::abs(values(row, k) - of_pose(static_cast<Index>(pose), k));

@@ -16,6 +16,7 @@ using Eigen::VectorXd;
 // Of a reading's squares that its joint's motion explains; a third of three coordinates by chance.
 constexpr double kAlongMotion = 0.6;
 constexpr double kChanceAlong = 0.23;  // that an error in any direction of space is
+constexpr double kOnePlace = 0.02;     // chance of a stretch that is a place at all
 constexpr std::size_t kOneVisit = 2;   // readings from one to the next
 constexpr std::size_t kFewestVisits = 3;
 constexpr std::size_t kFewest = 4, kMost = 60;  // readings of one place
@@ -88,6 +89,8 @@ bool AllAtOnePlace(const JointAtReadings& joint,
                    const std::vector<bool>& along,
                    const std::vector<bool>& off,
                    double joints) {
+  // Of one number all errors are along every motion.
+  const double chance_along = joint.motion.size() > joint.place.size() ? kChanceAlong : 1;
   std::vector<std::size_t> readings;
   for (std::size_t k = 0; k < off.size(); ++k) {
     if (off[k] && !along[k]) return false;
@@ -101,8 +104,9 @@ bool AllAtOnePlace(const JointAtReadings& joint,
       joint.place.begin(), joint.place.end(), [&](double q) { return q >= low && q <= high; });
   const double chance =
       ChanceOfAStretch(visits.size(), static_cast<std::size_t>(within), off.size());
-  return joints * chance * std::pow(kChanceAlong, static_cast<double>(visits.size())) <
-         kChanceOfAPlace;
+  return chance < kOnePlace &&
+         joints * chance * std::pow(chance_along, static_cast<double>(visits.size())) <
+             kChanceOfAPlace;
 }
 
 /// Marks the readings of all such places of one joint.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,23 @@ TEST(ErrorCurve, IsNamedWhereAGearErrsAtManyOrders) {
   for (const Finding& finding : d.findings) {
     EXPECT_EQ(finding.location, "joint 3") << finding.sentence;
   }
+}
+
+TEST(ErrorCurve, AndTheZeroOfItsJointAreKnownTogetherOnly) {
+  if (kSanitized) GTEST_SKIP() << "too slow with sanitizers; the other tests run the same code";
+  Scenario s;
+  s.poses = 300;
+  Draw draw = MakeDraw(s, 6);
+  const auto verdict_of = [&](const std::string& name) {
+    const Result result = IdentifyGeometry(draw.spec, draw.recording, {});
+    return ByName(*result.best())[name];
+  };
+  EXPECT_EQ(verdict_of("theta3").verdict, Verdict::kIdentified);
+  draw.spec.parameters.effects = {Request("transmission_error", 3)};
+  const ParameterResult theta3 = verdict_of("theta3");
+  EXPECT_EQ(theta3.verdict, Verdict::kConfounded);
+  EXPECT_EQ(theta3.confounded_with, std::vector<std::string>{"transmission_error.3"});
+  EXPECT_EQ(verdict_of("theta2").verdict, Verdict::kIdentified);
 }
 
 }  // namespace

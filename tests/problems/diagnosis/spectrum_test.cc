@@ -9,6 +9,7 @@
 
 #include "core/base/units.h"
 #include "problems/diagnosis/projection.h"
+#include "residuals/registry.h"
 #include "tests/support/recorder.h"
 #include "tests/support/robots.h"
 
