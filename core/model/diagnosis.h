@@ -43,6 +43,8 @@ struct Misfit {
   int rows = -1;
   int outliers = -1;              // rows set aside, fitted or not
   std::vector<int> outlier_rows;  // which; count from 0
+  /// Where the noise is not known: why the residuals have to say it.
+  std::string why_estimated = "the noise is not given";
 };
 
 /// One cell of the mismatch map.

@@ -89,8 +89,8 @@ Paragraph InShort(const MeasurementKind& kind, const DiagnosisResult& d) {
       m.noise_known
           ? fmt::format("the noise is {}", WithMillimetres(InSpace(kind, m.noise_sigma)))
           : fmt::format(
-                "the noise is not given (the residuals suggest {}), so only their pattern speaks, "
-                "not their size",
+                "{} (the residuals suggest {}), so only their pattern speaks, not their size",
+                m.why_estimated,
                 WithMillimetres(InSpace(kind, m.noise_sigma)));
   std::string misfit = fmt::format(
       "The complete geometry alone leaves {} ({}, {} rows); {}. Probability that noise alone looks "

@@ -19,12 +19,12 @@
 #include "problems/diagnosis/judge/describe.h"
 #include "problems/diagnosis/judge/doubtful.h"
 #include "problems/diagnosis/judge/hidden.h"
+#include "problems/diagnosis/judge/misfit.h"
 #include "problems/diagnosis/judge/moved_readings.h"
 #include "problems/diagnosis/judge/rest.h"
 #include "problems/diagnosis/judge/unseen_rows.h"
 #include "problems/diagnosis/loop.h"
 #include "problems/diagnosis/loop_inputs.h"
-#include "problems/diagnosis/rows/misread_repeats.h"
 #include "problems/diagnosis/rows/outliers.h"
 #include "problems/diagnosis/rows/read_out.h"
 #include "problems/diagnosis/tuning.h"
@@ -128,71 +128,6 @@ void AddHypotheses(const LoopOutcome& outcome, DiagnosisResult* d) {
     result.kept = true;
     d->hypotheses.push_back(result);
   }
-}
-
-/// How many times the stated noise is left, where no chance makes it so much larger; else 0.
-double DoubtedNoise(const LoopOutcome& outcome) {
-  constexpr double kNoChance = 1e-9, kWorthSaying = 1.25;
-  const double squares = outcome.fit.y().squaredNorm();
-  const double dof =
-      std::max(1.0,
-               outcome.fit.rows->degrees_of_freedom() -
-                   static_cast<double>(outcome.fit.free.size() + outcome.fit.X.cols()));
-  const double times = std::sqrt(squares / dof);
-  return times > kWorthSaying && ChiSquareTail(squares, dof) < kNoChance ? times : 0;
-}
-
-/// Rows that other readings of their pose contradict.
-void AddMisreadRepeats(const Recording& recorded, const DistinctRows& distinct, Misfit* misfit) {
-  std::vector<int>& rows = misfit->outlier_rows;
-  for (const int row : MisreadRepeats(recorded, distinct)) {
-    if (!std::binary_search(rows.begin(), rows.end(), row)) {
-      rows.insert(std::upper_bound(rows.begin(), rows.end(), row), row);
-    }
-  }
-  misfit->outliers = static_cast<int>(rows.size());
-}
-
-/// What is said of the rows before anything is said of physics.
-void AddNotesOnRows(const Loop& loop, const LoopOutcome& outcome, DiagnosisResult* d) {
-  if (!outcome.slow.none()) {
-    d->notes.push_back(
-        fmt::format("The readings' errors wander: {:.0f} % of their variance goes on from a "
-                    "reading to the next, "
-                    "to {:.0f} %. It was taken out as slow noise, so that it is not taken for a "
-                    "drift or a step.",
-                    100 * outcome.slow.share,
-                    100 * outcome.slow.persistence));
-  }
-  const std::size_t good = loop.GoodReadings(false).size();
-  if (good > static_cast<std::size_t>(kTuning.most_searched)) {
-    d->notes.push_back(fmt::format(
-        "{} of {} rows were searched, evenly over the recording; the last fit uses all.",
-        loop.Choice().readings.size(),
-        good));
-  }
-}
-
-/// `before`: the geometry alone, of the `num_readings` that the outcome was fitted to.
-void DescribeMisfit(const JointRows& before,
-                    std::size_t num_readings,
-                    const LoopOutcome& outcome,
-                    const DistinctRows& distinct,
-                    DiagnosisResult* d) {
-  Misfit& misfit = d->misfit;
-  misfit.noise_known = outcome.rule.sigma_known;
-  misfit.noise_sigma = outcome.noise.sigma;
-  misfit.rows = static_cast<int>(num_readings);
-  misfit.statistic = before.y().squaredNorm();
-  misfit.dof = std::max<double>(
-      1, before.rows->degrees_of_freedom() - static_cast<double>(before.free.size()));
-  misfit.rms = d->rms_train_before;
-  for (const int row : outcome.off) {
-    const std::vector<int>& original = distinct.original[static_cast<std::size_t>(row)];
-    misfit.outlier_rows.insert(misfit.outlier_rows.end(), original.begin(), original.end());
-  }
-  std::sort(misfit.outlier_rows.begin(), misfit.outlier_rows.end());
-  misfit.outliers = static_cast<int>(misfit.outlier_rows.size());
 }
 
 bool NeedsWholeModel(const EffectRequest& request) {

@@ -342,6 +342,7 @@ LoopOutcome Loop::Run() {
     const std::set<int> off_before = off_;
     const double sigma_before = noise_.sigma;
     UpdateOutliers(joint, true);
+    DoubtNoise(joint);
     UpdateNoise(joint);
     if (UpdateSlowNoise(joint)) changed = true;
     Trace(fmt::format("round {}", round + 1), joint);
@@ -383,6 +384,7 @@ LoopOutcome Loop::Run() {
   outcome.rule = RuleAt(joint, outcome.free.size(), names_);
   outcome.fit = std::move(joint);
   outcome.noise = noise_;
+  outcome.overstated = overstated_;
   outcome.slow = slow_;
   outcome.off = off_;
   outcome.moved = moved_;

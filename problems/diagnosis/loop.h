@@ -39,6 +39,7 @@ struct LoopOutcome {
   std::vector<int> geometry;      // unknowns of the fit but for the completions found
   std::vector<int> free;          // unknowns of the fit
   Noise noise;
+  bool overstated = false;   // the stated noise was, and is not relied on
   SlowNoise slow;            // of the rows' errors, taken out
   std::set<int> off;         // recording rows set aside, test rows too
   std::map<int, int> moved;  // of those, which a joint (from 0) moved where it stood
@@ -72,6 +73,8 @@ class Loop {
   void RobustStart();
   void UpdateOutliers(const JointRows& joint, bool with_leverage);
   void UpdateNoise(const JointRows& joint);
+  /// Relies no more on a stated noise that is much larger than what is left.
+  void DoubtNoise(const JointRows& joint);
   /// Takes slow noise out from here on, where what the whole model leaves has any: estimated any
   /// earlier it would eat physics wherever neighbouring rows are neighbouring poses. Members that
   /// go by the clock have to explain the rows better than it does. True if it changed.
@@ -104,6 +107,7 @@ class Loop {
   std::map<int, int> moved_;
   Eigen::VectorXd weight_;
   SlowNoise slow_;
+  bool overstated_ = false;
   int names_ = 1;
 };
 

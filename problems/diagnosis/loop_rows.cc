@@ -5,12 +5,14 @@
 #include <set>
 #include <utility>
 
+#include "core/math/statistics.h"
 #include "problems/diagnosis/hypotheses/bank.h"
 #include "problems/diagnosis/judge/certainty.h"
 #include "problems/diagnosis/loop.h"
 #include "problems/diagnosis/rows/moved_by_joint.h"
 #include "problems/diagnosis/rows/outliers.h"
 #include "problems/diagnosis/tuning.h"
+#include "problems/noise.h"
 #include "problems/without_rows.h"
 
 namespace dhcal {
@@ -175,6 +177,18 @@ void Loop::UpdateOutliers(const JointRows& joint, bool with_leverage) {
     off_.insert(rows[k]);
     if (moved[k] >= 0) moved_[rows[k]] = moving[static_cast<std::size_t>(moved[k])];
   }
+}
+
+void Loop::DoubtNoise(const JointRows& joint) {
+  // Of rows that state their own, none says how much all of them are wrong.
+  if (!in_.sigma_known || SourceOfNoise(model_.calibration()).per_row) return;
+  const double dof = joint.rows->degrees_of_freedom() - static_cast<double>(joint.free.size()) -
+                     static_cast<double>(joint.X.cols());
+  const double squares = joint.y().squaredNorm();
+  if (!(squares < kTuning.overstated * dof)) return;
+  if (ChiSquareTail(squares, dof) < 1 - kTuning.overstated_p) return;
+  in_.sigma_known = false;
+  overstated_ = true;
 }
 
 void Loop::UpdateNoise(const JointRows& joint) {

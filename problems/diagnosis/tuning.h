@@ -18,6 +18,10 @@ struct Tuning {
   /// Slow noise is taken out where it is likelier than white noise by this much (twice the
   /// logarithm): white noise comes up to it once in 1,000 recordings.
   double slow_noise_evidence = 14;
+  /// A stated noise is not relied on where what is left has at most this share of its variance, and
+  /// chance leaves so little less than once in so many recordings.
+  double overstated = 0.6;
+  double overstated_p = 1e-6;
   /// Readings that are searched, evenly over a longer recording; the last fit uses all.
   int most_searched = 3000;
 

@@ -89,6 +89,8 @@ std::vector<TuningNumber> TuningNumbers() {
   return {real("outlier_sigmas", &Tuning::outlier_sigmas),
           real("most_outliers", &Tuning::most_outliers),
           real("repeats_share", &Tuning::repeats_share),
+          real("overstated", &Tuning::overstated),
+          real("overstated_p", &Tuning::overstated_p),
           real("slow_noise_evidence", &Tuning::slow_noise_evidence),
           count("most_searched", &Tuning::most_searched),
           count("start_blocks", &Tuning::start_blocks),

@@ -38,7 +38,7 @@ Result WholeResult() {
   d.verdict = DiagnosisVerdict::kPartlyExplained;
   d.summary = "explained in part";
   d.false_alarm = 0.01;
-  d.misfit = {900, 40, 1e-12, 1e-13, 3e-5, true, 3e-4, 300, 2, {6, 40}};
+  d.misfit = {900, 40, 1e-12, 1e-13, 3e-5, true, 3e-4, 300, 2, {6, 40}, ""};
   d.map = {{"theta3", "q3", 412.5, 5, 1e-20, 2e-4}};
   Finding finding;
   finding.effect.effect = "joint_compliance";

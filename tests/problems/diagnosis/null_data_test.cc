@@ -95,6 +95,23 @@ TEST(NullData, OneMisreadSharedPoseIsSetAsideAsAPositionIs) {
   }
 }
 
+// Who states twice the real noise, as data sheets do, is judged by what the rows show.
+TEST(NullData, ANoiseStatedTwiceTooLargeIsNotReliedOn) {
+  for (const std::uint64_t seed : {11, 12, 13}) {
+    SCOPED_TRACE(seed);
+    Draw draw = MakeDraw(Scenario(), seed);
+    const double sigma = draw.spec.measurement.sigma.value();
+    draw.spec.measurement.sigma = 2 * sigma;
+    const DiagnosisResult d = Diagnosed(draw.spec, draw.recording);
+    EXPECT_EQ(d.verdict, DiagnosisVerdict::kConsistent) << d.summary;
+    EXPECT_FALSE(d.misfit.noise_known);
+    EXPECT_NEAR(d.misfit.noise_sigma, sigma, 0.15 * sigma);
+    EXPECT_THAT(d.misfit.why_estimated, testing::HasSubstr("stated noise is larger"));
+    draw.spec.measurement.sigma = sigma;
+    EXPECT_TRUE(Diagnosed(draw.spec, draw.recording).misfit.noise_known);
+  }
+}
+
 // Who states a quarter of the real noise hears of it, and of no joint.
 TEST(NullData, ANoiseStatedMuchTooSmallHasNoPlace) {
   for (const std::uint64_t seed : {11, 12, 13}) {
