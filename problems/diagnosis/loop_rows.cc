@@ -23,6 +23,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kHuber = 2;  // robust standard deviations of a reading that counts in full
+constexpr double kFinestInstrument = 1e-7;  // [m]
 constexpr double kColumnsOfRows = 1.0 / 6;  // at most, of a first model
 
 /// Takes the members out that are functions of the time or the order of rows; returns how many
@@ -186,6 +187,8 @@ void Loop::DoubtNoise(const JointRows& joint) {
                      static_cast<double>(joint.X.cols());
   const double squares = joint.y().squaredNorm();
   if (!(squares < kTuning.overstated * dof)) return;
+  // Less than any instrument's is a simulation without noise, and its rounding no measure.
+  if (noise_.sigma * std::sqrt(squares / dof) < kFinestInstrument) return;
   if (ChiSquareTail(squares, dof) < 1 - kTuning.overstated_p) return;
   in_.sigma_known = false;
   overstated_ = true;
