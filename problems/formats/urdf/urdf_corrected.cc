@@ -78,8 +78,8 @@ Edit EditOf(const XmlTag& tag,
 }
 
 bool Same(const Isometry3d& X, const Isometry3d& Y) {
-  constexpr double kRounding = 1e-13;  // [m] and [rad]
-  return (X.matrix() - Y.matrix()).cwiseAbs().maxCoeff() < kRounding;
+  constexpr double kSameFrame = 1e-13;  // [m] and [rad]
+  return (X.matrix() - Y.matrix()).cwiseAbs().maxCoeff() < kSameFrame;
 }
 
 /// Without the "-0.0000" of rounding.
