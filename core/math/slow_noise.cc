@@ -96,7 +96,6 @@ LikeliestSlowNoise FindSlowNoise(const VectorXd& values,
            order.coordinates * filter.log_determinant();
   };
   LikeliestSlowNoise best;
-  if (!known.none()) best = {known, evidence_of(known) + kClearlyLikelier};
   for (const double share : kShares) {
     for (const double persistence : kPersistences) {
       const SlowNoise noise{share, persistence};
@@ -104,8 +103,9 @@ LikeliestSlowNoise FindSlowNoise(const VectorXd& values,
       if (evidence > best.evidence) best = {noise, evidence};
     }
   }
-  if (!known.none() && !(best.noise != known)) best.evidence -= kClearlyLikelier;
-  return best;
+  if (known.none()) return best;
+  const double of_known = evidence_of(known);
+  return best.evidence > of_known + kClearlyLikelier ? best : LikeliestSlowNoise{known, of_known};
 }
 
 }  // namespace dhcal

@@ -120,12 +120,6 @@ struct Unexplained {
   Unit unit = Unit::kRadian;   // of CurvePoint::amount
   double rms = kUnknown;       // [m]
   std::vector<CurvePoint> curve;
-
-  void ForgetPlace() {
-    slot.clear();
-    driver.clear();
-    curve.clear();
-  }
 };
 
 /// What cannot be seen, and what it could do.

@@ -41,6 +41,11 @@ std::vector<bool> AreCurves(const Calibration& c, const std::vector<EffectReques
   return are;
 }
 
+struct EffectsToFit {
+  std::vector<EffectRequest> all;
+  std::vector<bool> is_curve;
+};
+
 /// Unknowns by name, of whatever effects are switched on.
 std::map<std::string, double> Named(const Calibration& c, const Eigen::VectorXd& state) {
   std::map<std::string, double> named;
@@ -82,13 +87,13 @@ Eigen::VectorXd SolveAll(const LinearModel& model, bool noise_given, Noise* nois
 /// The curves' coefficients beside everything else, in turn with a fit of everything else with the
 /// curves held. Starts from `named` and the noise of `result`; ends with all effects as unknowns.
 /// Near the solution one turn does, for what couples curves and geometry is of second order.
-void FitCurves(const std::vector<EffectRequest>& all,
+void FitCurves(const EffectsToFit& effects,
                std::map<std::string, double> named,
                int turns,
                const Progress& progress,
                CompleteFit* result) {
   Calibration& c = result->calibration;
-  const std::vector<bool> is_curve = AreCurves(c, all);
+  const auto& [all, is_curve] = effects;
   const bool noise_given = SourceOfNoise(c).all_given();
   std::vector<EffectRequest> held = all;
   for (int turn = 0; turn < turns && result->usable(); ++turn) {
@@ -109,10 +114,12 @@ void FitCurves(const std::vector<EffectRequest>& all,
       }
     }
     c.SetEffects(held);
-    FitSettings settings = SettingsOf(c, progress);
-    settings.noise = noise;
-    settings.start = StateOf(c, named);
-    result->fit = RunFit(c, settings);
+    result->fit = RunFit(c,
+                         {SolverMethod::kSvdGaussNewton,
+                          OptionsOf(result->spec.solver),
+                          noise,
+                          progress,
+                          StateOf(c, named)});
     for (const auto& [name, value] : Named(c, result->state())) named[name] = value;
   }
   c.SetEffects(all);
@@ -133,12 +140,13 @@ std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
   Calibration& c = result->calibration;
   std::vector<EffectRequest> all = spec.parameters.effects;
   all.insert(all.end(), effects.begin(), effects.end());
-  const std::vector<bool> is_curve = AreCurves(c, all);
+  const EffectsToFit to_fit{all, AreCurves(c, all)};
+  const std::vector<bool>& is_curve = to_fit.is_curve;
   const bool curves = std::find(is_curve.begin(), is_curve.end(), true) != is_curve.end();
   if (curves && near != nullptr) {
     c.frames = near->calibration.frames;
     result->fit = near->fit;
-    FitCurves(all, Named(near->calibration, near->state()), 1, progress, result.get());
+    FitCurves(to_fit, Named(near->calibration, near->state()), 1, progress, result.get());
     return result;
   }
   AlignStart(&c);
@@ -147,7 +155,7 @@ std::unique_ptr<CompleteFit> FitComplete(const ProblemSpec& spec,
   for (std::size_t k = 0; k < all.size(); ++k) at_zero[k].held = all[k].held || is_curve[k];
   c.SetEffects(at_zero);
   result->fit = RunFit(c, SettingsOf(c, progress));
-  if (curves) FitCurves(all, Named(c, result->state()), 2, progress, result.get());
+  if (curves) FitCurves(to_fit, Named(c, result->state()), 2, progress, result.get());
   return result;
 }
 

@@ -90,7 +90,7 @@ void TakeNamesOff(LoopOutcome* outcome, DiagnosisResult* d) {
   }
 }
 
-/// `fit`: the rows of the bank.
+/// `fit`: the rows of the bank. Without a structure and without cells no place is named.
 void AddUnexplained(const Bank& bank,
                     const JointRows& fit,
                     const EvidenceRule& rule,
@@ -109,8 +109,9 @@ void AddUnexplained(const Bank& bank,
     item = &member.item;
   }
   d->unexplained.emplace();
-  if (item != nullptr)
+  if (item != nullptr) {
     d->unexplained = DescribeRest(*item, fit, structure.rest, std::sqrt(RowVariance(fit, rule)));
+  }
   const auto rows = static_cast<double>(fit.y().size());
   const double sigma = d->misfit.noise_sigma;
   const double unnamed = sigma * sigma * std::max(structure.gain, largest * largest) / rows;
@@ -228,7 +229,7 @@ DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
   const Bank bank_before(model, searched_before, loop.Items(before, true), outcome.free);
   const Structure first = StrongestStructure(bank_before, searched_rule, d.misfit.noise_sigma);
   const Bank bank(model, searched, loop.Items(outcome.fit, true), outcome.free);
-  const Structure last = StrongestStructure(bank, searched_rule, d.misfit.noise_sigma);
+  Structure last = StrongestStructure(bank, searched_rule, d.misfit.noise_sigma);
   // Of the geometry alone, by the strongest structure; names and structures share the rate.
   const auto family_wise = [](double log_p) {
     return std::min(1.0, std::exp(std::max(log_p, -690.0)) / (1 - kShareOfNames));
@@ -238,15 +239,17 @@ DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
 
   Judged judged;
   judged.rest = family_wise(last.log_p) < spec.diagnosis.false_alarm;
-  if (judged.rest) d.misfit.p_value = std::min(d.misfit.p_value, family_wise(last.log_p));
+  if (judged.rest) {
+    d.misfit.p_value = std::min(d.misfit.p_value, family_wise(last.log_p));
+  } else {
+    last.item = -1;  // chance: it stands for nothing
+  }
   const double variance = RobustVariance(outcome.fit.y(), outcome.fit.rows->coordinates());
   if (outcome.rule.sigma_known && variance > kTuning.restless) {
     judged.restless = std::sqrt(variance);
+    d.misfit.p_value = std::min(d.misfit.p_value, ChiSquareTail(d.misfit.statistic, d.misfit.dof));
   } else if (outcome.rule.sigma_known) {
     judged.doubted = DoubtedNoise(outcome);
-  }
-  if (judged.restless > 0) {
-    d.misfit.p_value = std::min(d.misfit.p_value, ChiSquareTail(d.misfit.statistic, d.misfit.dof));
   }
   judged.cells = !cells.empty();
   judged.moved = !outcome.moved.empty();
@@ -289,7 +292,6 @@ DiagnosisResult DiagnoseWith(const ProblemSpec& spec,
   GiveVerdict(judged, &d);
   if (judged.rest || judged.cells || judged.restless > 0) {
     AddUnexplained(bank, searched, outcome.rule, last, &d);
-    if (!judged.rest && !judged.cells) d.unexplained->ForgetPlace();
   }
   if (judged.moved) AddMovedReadings(model, outcome, distinct, &d);
   AddHypotheses(outcome, &d);

@@ -61,15 +61,22 @@ class BaseComplianceEffect final : public Effect {
                                     const EffectRequest& /*request*/) const override {
     std::vector<EffectColumn> columns;
     const double typical = kTypicalCompliance * SoftnessOfSize(c);
+    const std::vector<int> axes = TurnedAxes(c);
     for (const MassCase& mass_case : MassCases(c, FirstLoadedJoint(c))) {
       const bool known = mass_case.name.empty();
-      for (const int axis : TurnedAxes(c)) {
+      for (const int axis : axes) {
         const std::string name = kNames[axis];
-        columns.push_back(Column(c,
-                                 mass_case,
-                                 {typical * mass_case.typical, axis},
-                                 known ? name : name + "_x_" + mass_case.name,
-                                 known ? "rad/(N m)" : "rad/(N m) " + mass_case.unit));
+        columns.push_back(TwistColumn(c,
+                                      known ? name : name + "_x_" + mass_case.name,
+                                      known ? "rad/(N m)" : "rad/(N m) " + mass_case.unit,
+                                      typical * mass_case.typical,
+                                      [&](int row) {
+                                        const Load load = GravityLoad(
+                                            c, mass_case, row, 0, Eigen::Vector3d::Zero());
+                                        Twist twist;
+                                        twist.rotation[axis] = load.moment[axis];
+                                        return twist;
+                                      }));
         columns.back().positive = known;
       }
     }
@@ -111,24 +118,6 @@ class BaseComplianceEffect final : public Effect {
     // Links of 100 N each at x = 0.3, 0.95, 1.105 m (links 1, 2, 3) and 1.105 m (links 4, 5, 6).
     example.expected = 1e-7 * 100 * (0.3 + 0.95 + 4 * 1.105);
     return example;
-  }
-
- private:
-  struct Turn {
-    double typical;
-    int axis;
-  };
-  static EffectColumn Column(const PhysicsContext& c,
-                             const MassCase& mass_case,
-                             const Turn& turn,
-                             const std::string& name,
-                             const std::string& unit) {
-    return TwistColumn(c, name, unit, turn.typical, [&](int row) {
-      const Load load = GravityLoad(c, mass_case, row, 0, Eigen::Vector3d::Zero());
-      Twist twist;
-      twist.rotation[turn.axis] = load.moment[turn.axis];
-      return twist;
-    });
   }
 };
 

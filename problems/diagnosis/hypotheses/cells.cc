@@ -90,7 +90,7 @@ std::vector<CellDriver> CircumstanceDrivers(const PhysicsContext& c) {
   const Recording& rec = c.recording();
   if (Moves(c.clock())) {
     drivers.push_back(
-        Smooth(c.has_one_clock() ? "time" : "order of the rows", c.clock(), kTimeKnots));
+        Smooth(c.has_one_clock() ? kTimeDriver : kOrderDriver, c.clock(), kTimeKnots));
   }
   VectorXd payload(c.num_rows());
   for (int row = 0; row < c.num_rows(); ++row) payload[row] = c.payload(row);

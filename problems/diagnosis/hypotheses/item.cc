@@ -22,7 +22,7 @@ bool IsByTheClock(const Item& item, const PhysicsContext& context) {
       item.kind == ItemKind::kEffect
           ? FindEffect(item.request.effect)->Place(context, item.request).driver
           : item.driver;
-  return driver == "time" || driver == "order of the rows";
+  return driver == kTimeDriver || driver == kOrderDriver;
 }
 
 EffectRequest WithValues(const Item& item,

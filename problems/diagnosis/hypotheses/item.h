@@ -54,7 +54,10 @@ struct Item {
 /// Columns of an effect or a cell in the circumstances of `context`; none of a completion.
 SlotColumns ColumnsOf(const Item& item, const PhysicsContext& context);
 
-/// True for a function of the time or of the order of the rows.
+/// Drivers of cells that go by the clock: that of the recording, or where it has none its rows.
+constexpr char kTimeDriver[] = "time";
+constexpr char kOrderDriver[] = "order of the rows";
+/// True for a function of either.
 bool IsByTheClock(const Item& item, const PhysicsContext& context);
 
 /// An effect's request with the values of its parameters.

@@ -23,8 +23,7 @@ struct JointAtReadings {
 /// Of the readings that lie `off`, which joint (position in `joints`; -1 = none) moved each at one
 /// of its places: more of them are within a range of its places than chance puts there once in a
 /// thousand recordings, all ranges and joints taken together; or all of them, if only a few, are at
-/// one place. `residuals`: whitened, coordinate by
-/// coordinate.
+/// one place. `residuals`: whitened, coordinate by coordinate.
 std::vector<int> MovedByAJoint(const std::vector<JointAtReadings>& joints,
                                const Eigen::VectorXd& residuals,
                                const std::vector<bool>& off);
