@@ -26,7 +26,7 @@
 #include "problems/diagnosis/loop.h"
 #include "problems/diagnosis/loop_inputs.h"
 #include "problems/diagnosis/rows/outliers.h"
-#include "problems/diagnosis/rows/read_out.h"
+#include "problems/diagnosis/rows/repeats.h"
 #include "problems/diagnosis/tuning.h"
 
 namespace dhcal {

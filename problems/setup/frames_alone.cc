@@ -19,7 +19,7 @@ constexpr double kMostTrimmed = 0.2;  // of the rows
 constexpr double kFarOff = 5;         // times the median: no noise, no physics, no table's error
 
 /// Of all rows with the frames as they stand.
-Eigen::Matrix3Xd PredictedPoints(const Calibration& c) {
+Eigen::Matrix3Xd ModelPoints(const Calibration& c) {
   Eigen::Matrix3Xd points(3, c.recording.num_rows());
   const Eigen::VectorXd zero =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(c.parameters.size()));
@@ -40,7 +40,7 @@ FramesAlone FitOnce(const ProblemSpec& frames_only, const Recording& recording) 
   const double rms = std::isnan(left->rms_point) ? left->rms : left->rms_point;
   if (std::isfinite(rms)) result.rms = rms;
   result.frames = c.frames;
-  result.points = PredictedPoints(c);
+  result.points = ModelPoints(c);
   return result;
 }
 

@@ -7,7 +7,7 @@
 #include "core/model/diagnosis.h"
 #include "core/model/recording.h"
 #include "problems/diagnosis/loop.h"
-#include "problems/diagnosis/rows/read_out.h"
+#include "problems/diagnosis/rows/repeats.h"
 
 namespace dhcal {
 

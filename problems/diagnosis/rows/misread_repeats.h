@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/model/recording.h"
-#include "problems/diagnosis/rows/read_out.h"
+#include "problems/diagnosis/rows/repeats.h"
 
 namespace dhcal {
 

@@ -8,8 +8,6 @@
 #include <utility>
 
 #include "core/base/units.h"
-#include "core/math/statistics.h"
-#include "problems/diagnosis/tuning.h"
 
 namespace dhcal {
 namespace {
@@ -61,72 +59,6 @@ double LastDigit(const VectorXd& q, bool turns) {
   if (decimals < kExactDecimals) return unit * std::pow(10.0, -decimals);
   const int of_radians = turns ? DecimalsOf(q) : kExactDecimals;
   return of_radians < kExactDecimals ? std::pow(10.0, -of_radians) : 0;
-}
-
-/// Rows of one group of a vector's or matrix' rows put together by `Put` (mean or median).
-MatrixXd Grouped(const MatrixXd& values, const std::vector<std::vector<int>>& groups, bool median) {
-  if (values.rows() == 0) return values;
-  MatrixXd grouped(static_cast<Index>(groups.size()), values.cols());
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    for (Index k = 0; k < values.cols(); ++k) {
-      std::vector<double> of_group;
-      for (const int row : groups[g]) {
-        if (std::isfinite(values(row, k))) of_group.push_back(values(row, k));
-      }
-      double mean = 0;
-      for (const double value : of_group) mean += value / static_cast<double>(of_group.size());
-      grouped(static_cast<Index>(g), k) = of_group.empty() ? std::nan("")
-                                          : median         ? Median(of_group)
-                                                           : mean;
-    }
-  }
-  return grouped;
-}
-
-template <typename T>
-std::vector<T> Firsts(const std::vector<T>& values, const std::vector<std::vector<int>>& groups) {
-  std::vector<T> firsts;
-  if (values.empty()) return firsts;
-  for (const auto& group : groups) {
-    firsts.push_back(values[static_cast<std::size_t>(group.front())]);
-  }
-  return firsts;
-}
-
-Recording PutTogether(const Recording& r,
-                      const std::vector<std::vector<int>>& groups,
-                      const MatrixXd& direction) {
-  Recording t = r;
-  // A pose begins with its first reading: an instant that separates poses separates their readings.
-  t.numbers.resize(static_cast<Index>(groups.size()));
-  t.time.resize(r.time.size() > 0 ? t.numbers.size() : 0);
-  for (std::size_t k = 0; k < groups.size(); ++k) {
-    const auto at = static_cast<Index>(k);
-    t.numbers[at] = groups[k].front();
-    if (t.time.size() > 0) t.time[at] = r.time[groups[k].front()];
-  }
-  t.lines = Firsts(r.lines, groups);
-  t.q = Grouped(r.q, groups, false);
-  t.p_WQ = Grouped(r.p_WQ, groups, true);
-  t.quaternion = Grouped(r.quaternion, groups, false);
-  for (Index k = 0; k < t.quaternion.rows(); ++k) t.quaternion.row(k).normalize();
-  t.distance = Grouped(r.distance, groups, true);
-  t.head = Grouped(r.head, groups, true);
-  t.sigma = Grouped(r.sigma, groups, false);
-  t.payload = Grouped(r.payload, groups, false);
-  t.temperature = Grouped(r.temperature, groups, false);
-  t.direction = Grouped(direction, groups, true);
-  t.speed = Grouped(r.speed, groups, false);
-  t.torque = Grouped(r.torque, groups, false);
-  t.run_idx = Firsts(r.run_idx, groups);
-  t.target_idx = Firsts(r.target_idx, groups);
-  t.anchor_idx = Firsts(r.anchor_idx, groups);
-  t.edge_idx = Firsts(r.edge_idx, groups);
-  t.is_test = Firsts(r.is_test, groups);
-  for (std::size_t k = 0; k < r.extra.size(); ++k) {
-    t.extra[k].values = Grouped(r.extra[k].values, groups, false);
-  }
-  return t;
 }
 
 }  // namespace
@@ -197,38 +129,6 @@ std::vector<int> PosesOfRows(const Recording& recording) {
     poses.push_back(known.emplace(first, static_cast<int>(known.size())).first->second);
   }
   return poses;
-}
-
-DistinctRows PutRepeatsTogether(const Recording& recording, const MatrixXd& direction) {
-  const std::vector<int> poses = PosesOfRows(recording);
-  std::map<std::vector<double>, std::size_t> known;
-  DistinctRows distinct;
-  for (int row = 0; row < recording.num_rows(); ++row) {
-    const auto at = static_cast<std::size_t>(row);
-    std::vector<double> key = {static_cast<double>(poses[at]),
-                               static_cast<double>(recording.run(row)),
-                               static_cast<double>(recording.target(row)),
-                               static_cast<double>(recording.edge(row)),
-                               recording.test(row) ? 1.0 : 0.0,
-                               recording.payload.size() > 0 && std::isfinite(recording.payload[row])
-                                   ? recording.payload[row]
-                                   : -1.0,
-                               recording.anchor_idx.empty() ? 0.0 : recording.anchor_idx[at] + 1.0};
-    const auto place = known.emplace(key, distinct.original.size());
-    if (place.second) distinct.original.emplace_back();
-    distinct.original[place.first->second].push_back(row);
-  }
-  const auto rows = static_cast<double>(recording.num_rows());
-  const bool displaced = recording.displacement.rows() > 0;
-  if (displaced || static_cast<double>(known.size()) > kTuning.repeats_share * rows) {
-    distinct.recording = recording;
-    distinct.original.clear();
-    for (int row = 0; row < recording.num_rows(); ++row) distinct.original.push_back({row});
-    return distinct;
-  }
-  distinct.averaged = true;
-  distinct.recording = PutTogether(recording, distinct.original, direction);
-  return distinct;
 }
 
 }  // namespace dhcal

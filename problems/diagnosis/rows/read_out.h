@@ -37,17 +37,6 @@ ReadOut ReadOutOf(const Recording& recording, const RobotModel& robot);
 /// parked joint's jitter included).
 std::vector<int> PosesOfRows(const Recording& recording);
 
-/// The recording with the repeats of a pose put together (means; of the readings medians), where
-/// few poses were read often: a pose read ten times is one draw of the robot, not ten. Rows of
-/// another run, target, anchor, payload or set stay apart. Differences are left as they are.
-struct DistinctRows {
-  Recording recording;
-  std::vector<std::vector<int>> original;  // rows of the original recording in each row
-  bool averaged = false;
-};
-/// `direction`: of each joint's last motion in the controller's sense, rows x n (0 = not known).
-DistinctRows PutRepeatsTogether(const Recording& recording, const Eigen::MatrixXd& direction);
-
 }  // namespace dhcal
 
 #endif  // DHCAL_PROBLEMS_DIAGNOSIS_ROWS_READ_OUT_H_

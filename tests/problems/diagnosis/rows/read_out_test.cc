@@ -1,4 +1,4 @@
-// Read-out of the joints and repeats of poses.
+// Read-out of the joints.
 #include "problems/diagnosis/rows/read_out.h"
 
 #include <cmath>
@@ -90,62 +90,6 @@ TEST(ReadOut, AJointThatStandsStillWasNotRounded) {
   Recording recording;
   recording.q = Eigen::MatrixXd::Zero(5, 6);
   EXPECT_TRUE(IsExact(ReadOutOf(recording, Kr15())));
-}
-
-/// Poses in turn, `cycles` times, each reading with its own error.
-Recording Cycles(int poses, int cycles, Rng* rng) {
-  Recording recording;
-  recording.q.resize(poses * cycles, 6);
-  recording.p_WQ.resize(poses * cycles, 3);
-  for (int k = 0; k < poses * cycles; ++k) {
-    for (int j = 0; j < 6; ++j) {
-      recording.q(k, j) = std::sin(7.0 * (k % poses) + j) + 1e-7 * rng->Normal();
-    }
-    for (int i = 0; i < 3; ++i) recording.p_WQ(k, i) = k % poses + 1e-3 * rng->Normal();
-  }
-  return recording;
-}
-
-TEST(PutRepeatsTogether, APoseReadTenTimesIsOneRow) {
-  Rng rng(2);
-  const Recording recording = Cycles(12, 10, &rng);
-  const DistinctRows distinct =
-      PutRepeatsTogether(recording, Eigen::MatrixXd::Ones(recording.num_rows(), 6));
-  EXPECT_TRUE(distinct.averaged);
-  ASSERT_EQ(distinct.recording.num_rows(), 12);
-  EXPECT_EQ(distinct.original[3].size(), 10);
-  EXPECT_NEAR(distinct.recording.p_WQ(3, 0), 3, 2e-3);
-  EXPECT_EQ(distinct.recording.direction.rows(), 12);
-}
-
-TEST(PutRepeatsTogether, OneWildRepeatDoesNotMoveThePose) {
-  Rng rng(3);
-  Recording recording = Cycles(12, 10, &rng);
-  recording.p_WQ(15, 1) += 50;
-  const DistinctRows distinct =
-      PutRepeatsTogether(recording, Eigen::MatrixXd::Zero(recording.num_rows(), 6));
-  EXPECT_NEAR(distinct.recording.p_WQ(3, 1), 3, 2e-3);
-}
-
-TEST(PutRepeatsTogether, RowsOfOtherRunsAndSetsStayApart) {
-  Rng rng(4);
-  Recording recording = Cycles(6, 10, &rng);
-  recording.run_names = {"a", "b"};
-  for (int k = 0; k < recording.num_rows(); ++k) {
-    recording.run_idx.push_back(k % 60 < 30 ? 0 : 1);
-    recording.is_test.push_back(false);
-  }
-  const DistinctRows distinct =
-      PutRepeatsTogether(recording, Eigen::MatrixXd::Zero(recording.num_rows(), 6));
-  EXPECT_EQ(distinct.recording.num_rows(), 12);
-}
-
-TEST(PutRepeatsTogether, LeavesARecordingOfDistinctPosesAlone) {
-  Rng rng(5);
-  const Recording recording = Cycles(40, 1, &rng);
-  const DistinctRows distinct = PutRepeatsTogether(recording, Eigen::MatrixXd::Zero(40, 6));
-  EXPECT_FALSE(distinct.averaged);
-  EXPECT_EQ(distinct.recording.q, recording.q);
 }
 
 }  // namespace
