@@ -89,6 +89,7 @@ PhysicsContext::PhysicsContext(const PhysicsContext& other, const RobotModel& wi
       tool_moves_(other.tool_moves_),
       moves_(other.moves_),
       direction_(other.direction_),
+      direction_as_counted_(other.direction_as_counted_),
       clock_(other.clock_),
       drift_clock_(other.drift_clock_),
       has_one_clock_(other.has_one_clock_),
@@ -166,6 +167,7 @@ void PhysicsContext::FillMoves() {
 
 void PhysicsContext::FillDirections() {
   direction_.setZero(num_rows(), num_joints());
+  direction_as_counted_ = direction_;
   const std::size_t num_runs = std::max<std::size_t>(recording_.run_names.size(), 1);
   for (int j = 0; j < num_joints(); ++j) {
     std::vector<LastMotion> of_run(num_runs);
@@ -188,7 +190,8 @@ void PhysicsContext::FillDirections() {
       int& before = last[static_cast<std::size_t>(recording_.run(k))];
       const bool across = wraps && before >= 0 && std::abs(q[k] - q[before]) > kPi;
       before = k;
-      direction_(k, j) = across && !given ? 0 : sign(j) * motion.sense();
+      const bool either_way = across && !given;
+      (either_way ? direction_as_counted_ : direction_)(k, j) = sign(j) * motion.sense();
     }
   }
 }

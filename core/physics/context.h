@@ -96,6 +96,9 @@ class PhysicsContext {
   /// Sense (DH's) of each joint's last motion, -1, 0 or 1: the column, else from the previous rows
   /// of the run, where turning back by no more than read-outs jitter is rest. 0 = not known.
   const Eigen::MatrixXd& direction() const { return direction_; }
+  /// Where that is not known because a joint that may count modulo a turn went more than half of
+  /// one: its sense if it went as counted. Else 0.
+  const Eigen::MatrixXd& direction_as_counted() const { return direction_as_counted_; }
 
   bool has_time() const { return recording_.time.size() > 0 && recording_.time.allFinite(); }
   /// True if, moreover, no run begins before the end of the one before it.
@@ -125,7 +128,7 @@ class PhysicsContext {
   std::vector<Eigen::Isometry3d> frames_;                                    // num_rows x (n + 1)
   Eigen::Matrix<double, SlotLayout::kPerFrame, Eigen::Dynamic> tool_moves_;  // per row
   std::vector<bool> moves_;
-  Eigen::MatrixXd direction_;
+  Eigen::MatrixXd direction_, direction_as_counted_;
   Eigen::VectorXd clock_, drift_clock_;
   bool has_one_clock_ = false;
   double duration_ = 0;

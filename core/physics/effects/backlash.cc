@@ -5,6 +5,8 @@
 // s_j = sense of the last motion (the `dir` columns, else from the previous row of the run). With
 // the setting flank = 1 gravity preloads the gear and decides: s_j = sign of gravity's torque where
 // that is beyond friction_Nm; within, the last motion decides, and the link stays behind the motor.
+// Of a joint that may count modulo a turn nobody knows how it came across more than half of one:
+// the setting jumps = 1 takes it as counted, -1 the short way, 0 as not known (s_j = 0).
 // Where no masses are known the load's sense needs no more than the direction of one moment: of
 // 1 kg m in link moment_link, across the axis of that link's joint, moment_deg from the link's x.
 // Friction wind-up looks the same (the residual friction torque changes sign with the approach):
@@ -31,6 +33,7 @@ namespace {
 constexpr double kTypicalAngle = 2e-4;   // [rad]
 constexpr double kTypicalLength = 5e-5;  // [m] of a rack or a ball screw
 constexpr char kFriction[] = "friction_Nm";
+constexpr char kJumps[] = "jumps";
 
 bool ByTorque(const EffectRequest& request) { return request.setting("flank", 0) != 0; }
 
@@ -49,7 +52,10 @@ Eigen::VectorXd Torque(const PhysicsContext& c, const EffectRequest& request) {
 
 Eigen::VectorXd Flank(const PhysicsContext& c, const EffectRequest& request) {
   const int joint = JointIndex(request);
-  if (!ByTorque(request)) return c.direction().col(joint);
+  if (!ByTorque(request)) {
+    return c.direction().col(joint) +
+           request.setting(kJumps, 0) * c.direction_as_counted().col(joint);
+  }
   const double friction = request.setting(kFriction, 0);
   Eigen::VectorXd flank = Torque(c, request);
   for (Eigen::Index row = 0; row < flank.size(); ++row) {
@@ -60,6 +66,15 @@ Eigen::VectorXd Flank(const PhysicsContext& c, const EffectRequest& request) {
                                       : 0.0;
   }
   return flank;
+}
+
+/// The approach direction with the ways across more than half a turn known.
+std::vector<EffectRequest> WithJumps(const PhysicsContext& c, const EffectRequest& approached) {
+  if (c.direction_as_counted().col(JointIndex(approached)).isZero(0)) return {};
+  std::vector<EffectRequest> variants(2, approached);
+  variants[0].settings[kJumps] = 1;
+  variants[1].settings[kJumps] = -1;
+  return variants;
 }
 
 /// The loaded flanks of which friction takes some of the rows: it is not known, so shares of the
@@ -80,7 +95,13 @@ std::vector<EffectRequest> WithFriction(const PhysicsContext& c, const EffectReq
 }
 
 std::string Decides(const EffectRequest& request) {
-  if (!ByTorque(request)) return "the approach direction";
+  if (!ByTorque(request)) {
+    const double jumps = request.setting(kJumps, 0);
+    return std::string("the approach direction") +
+           (jumps > 0   ? " (moves beyond half a turn as they are counted)"
+            : jumps < 0 ? " (moves beyond half a turn went the short way)"
+                        : "");
+  }
   const double friction = request.setting(kFriction, 0);
   if (MomentLink(request) >= 0) {
     return fmt::format(
@@ -102,6 +123,7 @@ class BacklashEffect final : public Effect {
             "d theta_j = (b / 2) s_j",
             "width [rad], of a prismatic joint [m]",
             {{"flank", "0 = approach direction, 1 = sign of gravity torque"},
+             {kJumps, "moves beyond half a turn: 1 as counted, -1 the short way, 0 not known"},
              {kFriction, "with flank = 1: below it the approach direction decides [N m]"},
              {kMomentLink, "with flank = 1 and no masses: the link whose 1 kg m loads the joint"},
              {kMomentDegrees, "its direction about that link's joint axis, from its x [deg]"}},
@@ -142,7 +164,11 @@ class BacklashEffect final : public Effect {
         WithVariant(*this, c, EveryJoint(c, "backlash", /*revolute_only=*/false), "flank");
     const std::vector<EffectRequest> plain = requests;
     for (const EffectRequest& request : plain) {
-      if (!ByTorque(request) || c.direction().col(JointIndex(request)).isZero(0)) continue;
+      if (!ByTorque(request)) {
+        for (EffectRequest& variant : WithJumps(c, request)) requests.push_back(std::move(variant));
+        continue;
+      }
+      if (c.direction().col(JointIndex(request)).isZero(0)) continue;
       for (EffectRequest& variant : WithFriction(c, request))
         requests.push_back(std::move(variant));
     }

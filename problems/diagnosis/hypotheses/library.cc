@@ -34,8 +34,8 @@ constexpr double kHighestWholeOrder = 7;
 bool IsScannedSetting(const std::string& name) {
   return name == "at_s" || name == "at_row" || name == "time_constant_s" ||
          name == "soft_torque_Nm" || name == "knot_deg" || name == "measured_torque" ||
-         name == "flank" || name == "friction_Nm" || name == "free_masses" || name == kMomentLink ||
-         name == kMomentDegrees;
+         name == "flank" || name == "jumps" || name == "friction_Nm" || name == "free_masses" ||
+         name == kMomentLink || name == kMomentDegrees;
 }
 
 std::string IdOf(const EffectRequest& request) {

@@ -64,6 +64,31 @@ TEST(Backlash, OfALoadedGearIsTheLoadsBeyondFrictionAndTheLastMotionsWithin) {
   EXPECT_EQ(weights(), Eigen::VectorXd(-0.5 * recording.direction.col(0)));
 }
 
+/// Counted from -177 to 177 degrees: by 354 one way, or by 6 the other.
+TEST(Backlash, OfAJointThatCountsModuloATurnIsTriedEitherWayRound) {
+  const RobotModel robot = WorkedExampleRobot();
+  Recording recording;
+  recording.q = Eigen::MatrixXd::Zero(3, 6);
+  recording.q.col(0) << -3.1, 3.1, 0.5;
+  const PhysicsContext context(robot, recording, {robot.X_WB});
+  EffectRequest request;
+  request.effect = "backlash";
+  request.joint = 1;
+  const auto weights = [&](double jumps) {
+    request.settings["jumps"] = jumps;
+    const EffectColumn column = FindEffect("backlash")->Columns(context, request).front();
+    return Eigen::VectorXd(column.slots.front().weight);
+  };
+  EXPECT_EQ(weights(0), Eigen::Vector3d(0, 0, -0.5));
+  EXPECT_EQ(weights(1), Eigen::Vector3d(0, 0.5, -0.5));
+  EXPECT_EQ(weights(-1), Eigen::Vector3d(0, -0.5, -0.5));
+  int tried = 0;
+  for (const EffectRequest& candidate : FindEffect("backlash")->Candidates(context)) {
+    if (candidate.joint == 1 && candidate.settings.count("jumps") > 0) ++tried;
+  }
+  EXPECT_EQ(tried, 2);
+}
+
 /// A turning joint whose link's x points along gravity at q = 0: with the moment along that x,
 /// turned by m, the torque's sense is that of -sin(q + m).
 TEST(Backlash, OfALoadedGearWithoutMassesFollowsTheSenseOfOneMoment) {

@@ -52,6 +52,15 @@ TEST(Direction, OfAStreamInStepsFinerThanTheJitterIsKnown) {
   EXPECT_EQ(direction.back(), -1);
 }
 
+TEST(Direction, AcrossMoreThanHalfATurnIsNotKnownButAsCounted) {
+  const Recording recording = OfJoint1({-3.1, 3.1, 0.5, -3, -2.9});
+  EXPECT_EQ(Directions(recording), (std::vector<double>{0, 0, -1, 0, 1}));
+  const RobotModel robot = WorkedExampleRobot();
+  const PhysicsContext context(robot, recording, {robot.X_WB});
+  EXPECT_EQ(Eigen::VectorXd(context.direction_as_counted().col(0)).transpose(),
+            (Eigen::RowVectorXd(5) << 0, 1, 0, -1, 0).finished());
+}
+
 TEST(Direction, CountsInEachRunByItself) {
   Recording recording = OfJoint1({0.1, 0.5, 0.2, 0.1});
   recording.run_names = {"a", "b"};
