@@ -28,11 +28,13 @@ Eigen::MatrixXd BySlots(const ReadingComparison::TwistRows& by_twist,
   return by_twist.leftCols<3>() * pose.J_p + by_twist.rightCols<3>() * pose.J_w;
 }
 
+bool Turns(const Calibration& c, int joint) {
+  return c.spec.robot.joints[static_cast<std::size_t>(joint)].type == JointType::kRevolute;
+}
+
 /// Slot that a joint's coordinate is added to.
 int MovingSlot(const Calibration& c, int joint) {
-  const bool turns =
-      c.spec.robot.joints[static_cast<std::size_t>(joint)].type == JointType::kRevolute;
-  return c.chain.slots().joint(joint, turns ? JointSlot::kTheta : JointSlot::kD);
+  return c.chain.slots().joint(joint, Turns(c, joint) ? JointSlot::kTheta : JointSlot::kD);
 }
 
 /// Standard deviation of each coordinate of a row's reading; 1 where rows are to be as read.
@@ -82,13 +84,19 @@ Eigen::MatrixXd DeltasAt(const Calibration& c,
   return deltas;
 }
 
+RowWeights WithNoise(const Noise& noise) {
+  RowWeights weights;
+  weights.noise = noise;
+  return weights;
+}
+
 }  // namespace
 
 DesignRows::DesignRows(const Calibration& c,
                        const Eigen::VectorXd& state,
                        const Noise& noise,
                        const std::vector<Reading>& readings)
-    : DesignRows(c, DeltasAt(c, state, readings), RowWeights{false, noise, {}, {}, {}}, readings) {}
+    : DesignRows(c, DeltasAt(c, state, readings), WithNoise(noise), readings) {}
 
 DesignRows::DesignRows(const Calibration& c,
                        const Eigen::MatrixXd& deltas,
@@ -131,15 +139,29 @@ double DesignRows::RootWeight(int row) const {
   return weights_.weight.size() == 0 ? 1.0 : std::sqrt(weights_.weight[row]);
 }
 
-Eigen::MatrixXd DesignRows::Rounding(const Eigen::MatrixXd& J) const {
+Eigen::MatrixXd DesignRows::OfTheJoints(const Eigen::MatrixXd& J) const {
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(J.rows(), J.rows());
-  for (int joint = 0; joint < weights_.read_out.quantum.size(); ++joint) {
-    const double variance = Square(weights_.read_out.quantum[joint]) / 12;
+  const Eigen::VectorXd& quantum = weights_.read_out.quantum;
+  for (int joint = 0; joint < c_.recording.num_joints(); ++joint) {
+    double variance = joint < quantum.size() ? Square(quantum[joint]) / 12 : 0;
+    if (Turns(c_, joint)) variance += Square(weights_.joint_noise);
     if (variance == 0) continue;
     const Eigen::VectorXd column = J.col(MovingSlot(c_, joint));
     covariance += variance * column * column.transpose();
   }
   return covariance;
+}
+
+Eigen::MatrixXd DesignRows::ByJoints() const {
+  std::vector<int> slots;
+  for (int joint = 0; joint < c_.recording.num_joints(); ++joint) {
+    slots.push_back(MovingSlot(c_, joint));
+  }
+  const auto joints = static_cast<Eigen::Index>(slots.size());
+  Eigen::MatrixXd by_joints(num_rows(), before_.rows() > 0 ? 2 * joints : joints);
+  by_joints.leftCols(joints) = now_(Eigen::all, slots);
+  if (before_.rows() > 0) by_joints.rightCols(joints) = before_(Eigen::all, slots);
+  return by_joints;
 }
 
 void DesignRows::Append(const Eigen::VectorXd& y,
@@ -170,13 +192,13 @@ void DesignRows::AddReading(const Reading& reading) {
   const Eigen::Index slots = now.J_p.cols();
   Eigen::MatrixXd J(coordinates_, (before_.rows() > 0 ? 2 : 1) * slots);
   J.leftCols(slots) = BySlots(comparison.by_now, now);
-  Eigen::MatrixXd rounding = Rounding(J.leftCols(slots));
+  Eigen::MatrixXd of_joints = OfTheJoints(J.leftCols(slots));
   if (before_.rows() > 0) {
     J.rightCols(slots) = -BySlots(comparison.by_before, before);
-    rounding += Rounding(J.rightCols(slots));
+    of_joints += OfTheJoints(J.rightCols(slots));
   }
   const Eigen::VectorXd sigma = Sigmas(c_, weights_, reading.row_idx);
-  Whiten(rounding, sigma, RootWeight(reading.row_idx), &y, &J);
+  Whiten(of_joints, sigma, RootWeight(reading.row_idx), &y, &J);
   if (before_.rows() == 0) return Append(y, J, reading.row_idx, nullptr, -1);
   const Eigen::MatrixXd J_before = J.rightCols(slots);
   Append(y,
@@ -197,9 +219,9 @@ void DesignRows::AddSeries(const std::vector<Reading>& readings) {
   std::vector<double> length2;  // of each offset
   const auto add = [&](int row, const Last& last) {
     // One number per row, so that what the offsets take stays a mean of rows.
-    const double rounding = Rounding(last.J).trace() / coordinates_;
+    const double of_joints = OfTheJoints(last.J).trace() / coordinates_;
     const Eigen::VectorXd sigma =
-        (Sigmas(c_, weights_, row).array().square() + rounding).sqrt() / RootWeight(row);
+        (Sigmas(c_, weights_, row).array().square() + of_joints).sqrt() / RootWeight(row);
     if (last.series >= 0) {
       length2.resize(static_cast<std::size_t>(coordinates_) *
                      static_cast<std::size_t>(num_series_));

@@ -33,6 +33,8 @@ struct RowWeights {
   /// Rounding is noise of the joint: a reading's covariance is sigma^2 I + J_q diag(quantum^2 / 12)
   /// J_q', and rows at one of few places share its rounding. Empty where all columns are exact.
   ReadOut read_out;
+  /// [rad] Noise that every turning joint's angle has beside its rounding.
+  double joint_noise = 0;
   /// Weight of each recording row's squares; empty = 1.
   Eigen::VectorXd weight;
   /// What of the readings' errors wanders within runs, and is taken out. Only for readings of one
@@ -94,6 +96,9 @@ class DesignRows {
   const Eigen::MatrixXd& now() const { return now_; }
   const Eigen::MatrixXd& before() const { return before_; }
   const std::vector<int>& now_row() const { return now_row_; }
+  /// d reading / d coordinate of the joints, likewise; rows x joints, once more for the poses
+  /// before.
+  Eigen::MatrixXd ByJoints() const;
   const std::vector<int>& before_row() const { return before_row_; }
 
  private:
@@ -106,8 +111,8 @@ class DesignRows {
   Eigen::MatrixXd OwnColumns(const std::vector<std::vector<SlotWeights>>& columns) const;
   void AddReading(const Reading& reading);
   void AddSeries(const std::vector<Reading>& readings);
-  /// Covariance that the rounding of joint coordinates gives to rows with these derivatives.
-  Eigen::MatrixXd Rounding(const Eigen::MatrixXd& J) const;
+  /// Covariance that rounding and noise of joint coordinates give to rows with these derivatives.
+  Eigen::MatrixXd OfTheJoints(const Eigen::MatrixXd& J) const;
   double RootWeight(int row) const;
   /// v without what the offsets of the series can take of it.
   void TakeOutOffsets(Eigen::VectorXd* v) const {

@@ -23,7 +23,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kNoiseSettled = 0.02;
 constexpr int kInstantsAround = 12;  // rows to both sides
 constexpr int kNearSteps = 3;
 
@@ -97,7 +96,10 @@ std::vector<Item> Loop::Items(const JointRows& joint, bool coarse) const {
   return items;
 }
 
-void Loop::AddLines(const JointRows& joint, const EvidenceRule& rule, Bank* bank) const {
+void Loop::AddLines(const JointRows& joint,
+                    const EvidenceRule& rule,
+                    bool with_rivals,
+                    Bank* bank) const {
   if (!in_.names.empty() &&
       std::find(in_.names.begin(), in_.names.end(), kLineEffect) == in_.names.end()) {
     return;
@@ -113,7 +115,7 @@ void Loop::AddLines(const JointRows& joint, const EvidenceRule& rule, Bank* bank
   if (!no_lines.empty() && no_lines.size() < bank->members().size()) contexts.push_back(no_lines);
   for (const std::vector<int>& active : contexts) {
     const Bank::Rest rest = bank->RestBeside(active);
-    const ScannedRows scanned{rest.basis, rest.y, rule.dof, rule.sigma_known};
+    const ScannedRows scanned{rest.basis, rest.y, rule.dof, rule.sigma_known, with_rivals};
     for (const SpectralPeak& peak : ScanOrders(*joint.context, *joint.rows, scanned)) {
       EffectRequest line;
       line.effect = kLineEffect;
@@ -189,7 +191,7 @@ Loop::Found Loop::SearchAt(const JointRows& joint,
   found.names = static_cast<int>(names.size());
   const EvidenceRule rule = RuleAt(joint, geometry.size(), found.names);
   Bank bank(model_, joint, std::move(items), geometry);
-  AddLines(joint, rule, &bank);
+  AddLines(joint, rule, list, &bank);
   AddTimeConstants(*joint.context, &bank);
   const std::vector<int> chosen = Shortlist(bank, rule);
   std::vector<GramItem> gram_items;
@@ -291,13 +293,15 @@ void Loop::Trace(const std::string& step, const JointRows& joint) const {
   if (!VLOG_IS_ON(1)) return;
   std::string members;
   for (const Member& member : joint.state.members) members += " " + member.item.id;
-  VLOG(1) << fmt::format("{}: misfit {:.4g}, sigma {:.4g} m, correlation {:.2f}, {} set aside;{}",
-                         step,
-                         joint.y().squaredNorm() / std::max(1, joint.rows->degrees_of_freedom()),
-                         noise_.sigma,
-                         slow_.correlation(),
-                         off_.size(),
-                         members.empty() ? " no member" : members);
+  VLOG(1) << fmt::format(
+      "{}: misfit {:.4g}, sigma {:.4g} m, correlation {:.2f}, joints {:.3g} rad, {} set aside;{}",
+      step,
+      joint.y().squaredNorm() / std::max(1, joint.rows->degrees_of_freedom()),
+      noise_.sigma,
+      slow_.correlation(),
+      joint_noise_,
+      off_.size(),
+      members.empty() ? " no member" : members);
 }
 
 LoopOutcome Loop::Run() {
@@ -339,15 +343,8 @@ LoopOutcome Loop::Run() {
     joint = FitJointly(model_, taken_up(found, before), Choice(), all, kNearSteps);
     bool changed = !same_members(before, joint.state);
     if (!off_.empty()) joint = WithInstantsMoved(std::move(joint));
-    const std::set<int> off_before = off_;
-    const double sigma_before = noise_.sigma;
-    UpdateOutliers(joint, true);
-    DoubtNoise(joint);
-    UpdateNoise(joint);
-    if (UpdateSlowNoise(joint)) changed = true;
+    if (UpdateRows(&joint)) changed = true;
     Trace(fmt::format("round {}", round + 1), joint);
-    changed = changed || off_ != off_before ||
-              std::abs(std::log(noise_.sigma / sigma_before)) > kNoiseSettled;
     if (!changed) break;
     joint = FitJointly(model_, joint.state, Choice(), all, 1);
   }
@@ -386,6 +383,7 @@ LoopOutcome Loop::Run() {
   outcome.noise = noise_;
   outcome.overstated = overstated_;
   outcome.slow = slow_;
+  outcome.joint_noise = joint_noise_;
   outcome.off = off_;
   outcome.moved = moved_;
   return outcome;

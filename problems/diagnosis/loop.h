@@ -15,6 +15,7 @@
 #include "problems/diagnosis/hypotheses/library.h"
 #include "problems/diagnosis/refit/joint_fit.h"
 #include "problems/diagnosis/refit/joint_model.h"
+#include "problems/diagnosis/rows/joint_noise.h"
 #include "problems/diagnosis/search/beam.h"
 #include "problems/progress.h"
 
@@ -41,6 +42,7 @@ struct LoopOutcome {
   Noise noise;
   bool overstated = false;   // the stated noise was, and is not relied on
   SlowNoise slow;            // of the rows' errors, taken out
+  double joint_noise = 0;    // [rad] of the turning joints' angles
   std::set<int> off;         // recording rows set aside, test rows too
   std::map<int, int> moved;  // of those, which a joint (from 0) moved where it stood
   EvidenceRule rule;
@@ -71,14 +73,25 @@ class Loop {
 
  private:
   void RobustStart();
+  /// Which rows are good, and what noise they have, by what a fit of the whole model leaves. True
+  /// if anything changed; the fit is made anew where its rows have other weights at once.
+  bool UpdateRows(JointRows* joint);
   void UpdateOutliers(const JointRows& joint, bool with_leverage);
   void UpdateNoise(const JointRows& joint);
+  /// Takes joint columns for commanded angles, exact however few decimals they have, where their
+  /// rounding would make the rows scatter more than they do. True if it changed.
+  bool DoubtRounding(const JointRows& joint);
   /// Relies no more on a stated noise that is much larger than what is left.
   void DoubtNoise(const JointRows& joint);
   /// Takes slow noise out from here on, where what the whole model leaves has any: estimated any
   /// earlier it would eat physics wherever neighbouring rows are neighbouring poses. Members that
   /// go by the clock have to explain the rows better than it does. True if it changed.
   bool UpdateSlowNoise(const JointRows& joint);
+  /// Takes noise that enters by the joints for such from here on, where it is likelier than all
+  /// that was found: beside a real error of the joints it would take what others leave, and the
+  /// evidence for them. True if it changed.
+  bool UpdateJointNoise(const JointRows& joint);
+  LikeliestJointNoise JointNoiseInsteadOfMembers(const JointRows& joint) const;
   /// Moves the instants of steps over all fitted rows, those set aside included: a step that came a
   /// few rows too early makes good rows lie off, and without them it would stay there.
   JointRows WithInstantsMoved(JointRows joint) const;
@@ -86,7 +99,11 @@ class Loop {
   void Trace(const std::string& step, const JointRows& joint) const;
   /// Unknowns of the slots that members move from a zero that nobody knows.
   std::vector<int> UnknownZeros(const JointRows& joint) const;
-  void AddLines(const JointRows& joint, const EvidenceRule& rule, Bank* bank) const;
+  /// `with_rivals`: for a list of what is not told apart.
+  void AddLines(const JointRows& joint,
+                const EvidenceRule& rule,
+                bool with_rivals,
+                Bank* bank) const;
 
   /// A search at a fit; items and values of the best set.
   struct Found {
@@ -107,6 +124,7 @@ class Loop {
   std::map<int, int> moved_;
   Eigen::VectorXd weight_;
   SlowNoise slow_;
+  double joint_noise_ = 0;
   bool overstated_ = false;
   int names_ = 1;
 };

@@ -24,6 +24,8 @@ using Eigen::VectorXd;
 
 constexpr double kHuber = 2;  // robust standard deviations of a reading that counts in full
 constexpr double kFinestInstrument = 1e-7;  // [m]
+constexpr double kNoiseSettled = 0.02;
+constexpr double kJointNoiseSettled = 0.1;  // of it
 constexpr double kColumnsOfRows = 1.0 / 6;  // at most, of a first model
 
 /// Takes the members out that are functions of the time or the order of rows; returns how many
@@ -90,6 +92,16 @@ std::vector<int> MovingJoints(const PhysicsContext& c) {
   return moving;
 }
 
+/// Derivatives by what noise of the joints turns, rows x joints (twice where rows hold two poses).
+MatrixXd ByAngles(const Calibration& c, const DesignRows& rows) {
+  MatrixXd by_angles = rows.ByJoints();
+  for (Index k = 0; k < by_angles.cols(); ++k) {
+    const auto joint = static_cast<std::size_t>(k % c.recording.num_joints());
+    if (c.spec.robot.joints[joint].type != JointType::kRevolute) by_angles.col(k).setZero();
+  }
+  return by_angles;
+}
+
 /// Joints at the readings of fitted rows and test rows, one behind the other.
 std::vector<JointAtReadings> JointsAt(const PhysicsContext& c,
                                       const std::vector<int>& moving,
@@ -120,6 +132,7 @@ RowChoice Loop::Choice(bool all) const {
   if (!all) choice.readings = Thinned(choice.readings);
   choice.weights.noise = noise_;
   choice.weights.read_out = in_.read_out;
+  choice.weights.joint_noise = joint_noise_;
   choice.weights.weight = weight_;
   choice.weights.slow = slow_;
   return choice;
@@ -138,6 +151,7 @@ void Loop::UpdateOutliers(const JointRows& joint, bool with_leverage) {
   RowWeights weights;
   weights.noise = noise_;
   weights.read_out = in_.read_out;
+  weights.joint_noise = joint_noise_;
   const DesignRows fitted(c, joint.state.deltas, weights, c.readings.fitted);
   const DesignRows test(c, joint.state.deltas, weights, c.readings.test);
   ReadingResiduals residuals;
@@ -178,6 +192,23 @@ void Loop::UpdateOutliers(const JointRows& joint, bool with_leverage) {
     off_.insert(rows[k]);
     if (moved[k] >= 0) moved_[rows[k]] = moving[static_cast<std::size_t>(moved[k])];
   }
+}
+
+bool Loop::DoubtRounding(const JointRows& joint) {
+  Eigen::VectorXd& quantum = in_.read_out.quantum;
+  if (quantum.size() == 0 || quantum.isZero(0)) return false;
+  RowChoice exact = Choice();
+  exact.weights.read_out.quantum.setZero();
+  const DesignRows rows(model_.calibration(), joint.state.deltas, exact.weights, exact.readings);
+  MatrixXd rounded = rows.ByJoints();
+  for (Index k = 0; k < rounded.cols(); ++k) {
+    rounded.col(k) *= quantum[k % quantum.size()] / std::sqrt(12.0);
+  }
+  if (EvidenceOfCovariance(rows.y(), rounded, rows.coordinates()) > -kTuning.noise_evidence) {
+    return false;
+  }
+  quantum.setZero();
+  return true;
 }
 
 void Loop::DoubtNoise(const JointRows& joint) {
@@ -234,10 +265,62 @@ bool Loop::UpdateSlowNoise(const JointRows& joint) {
                         freedom * std::log(static_cast<double>(rows.num_readings()));
     if (instead.evidence > likeliest.evidence + gain) likeliest = instead;
   }
-  if (likeliest.evidence < kTuning.slow_noise_evidence) likeliest.noise = SlowNoise();
+  if (likeliest.evidence < kTuning.noise_evidence) likeliest.noise = SlowNoise();
   const bool changed = likeliest.noise != slow_;
   slow_ = likeliest.noise;
   return changed;
+}
+
+bool Loop::UpdateJointNoise(const JointRows& joint) {
+  const double before = joint_noise_;
+  const LikeliestJointNoise likeliest = JointNoiseInsteadOfMembers(joint);
+  joint_noise_ = likeliest.sigma;
+  if (joint_noise_ > 0 && !in_.sigma_known) {
+    noise_.sigma *= std::sqrt(likeliest.rest);
+    noise_.sigma_rotation *= std::sqrt(likeliest.rest);
+  }
+  return std::abs(joint_noise_ - before) > kJointNoiseSettled * std::max(joint_noise_, before);
+}
+
+LikeliestJointNoise Loop::JointNoiseInsteadOfMembers(const JointRows& joint) const {
+  const auto& members = joint.state.members;
+  // One shape of noise at a time: the filter of slow noise has turned the rows already.
+  if (!slow_.none()) return {};
+  RowChoice plain = Choice();
+  plain.weights.joint_noise = 0;
+  const auto left_by = [&](const JointState& state) {
+    return DesignRows(model_.calibration(), state.deltas, plain.weights, plain.readings);
+  };
+  JointState bare = joint.state;
+  bare.members.erase(std::remove_if(bare.members.begin(),
+                                    bare.members.end(),
+                                    [](const Member& member) { return !member.given; }),
+                     bare.members.end());
+  double freedom = 0, gain = 0;
+  for (const Member& member : members) freedom += member.given ? 0 : member.item.size;
+  const DesignRows rows = left_by(FitJointly(model_, bare, plain, joint.free, 1).state);
+  if (freedom > 0) {
+    gain = 2 * rows.num_rows() * std::log(rows.y().norm() / left_by(joint.state).y().norm()) -
+           freedom * std::log(static_cast<double>(rows.num_readings()));
+  }
+  const LikeliestJointNoise likeliest =
+      FindJointNoise(rows.y(), ByAngles(model_.calibration(), rows), rows.coordinates());
+  return likeliest.evidence < std::max(kTuning.noise_evidence, gain) ? LikeliestJointNoise()
+                                                                     : likeliest;
+}
+
+bool Loop::UpdateRows(JointRows* joint) {
+  const std::set<int> off_before = off_;
+  const double sigma_before = noise_.sigma;
+  UpdateOutliers(*joint, true);
+  bool changed = DoubtRounding(*joint);
+  if (changed) *joint = FitJointly(model_, joint->state, Choice(), joint->free, 1);
+  DoubtNoise(*joint);
+  UpdateNoise(*joint);
+  if (UpdateSlowNoise(*joint)) changed = true;
+  if (UpdateJointNoise(*joint)) changed = true;
+  return changed || off_ != off_before ||
+         std::abs(std::log(noise_.sigma / sigma_before)) > kNoiseSettled;
 }
 
 void Loop::RobustStart() {

@@ -11,6 +11,7 @@
 #include "core/base/units.h"
 #include "core/math/nonuniform_fourier.h"
 #include "core/math/statistics.h"
+#include "problems/diagnosis/tuning.h"
 
 namespace dhcal {
 namespace {
@@ -20,7 +21,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kStepsPerResolution = 5;  // orders per 2 pi / range of the angle
-constexpr double kSmallestShare = 1e-3;    // of a column's square that the basis must leave
+// Of the squares of a line's two columns that the basis must leave of either phase: of a line of
+// which the poses show one phase only, as at the levels of a grid, no reading holds the amplitude.
+constexpr double kSmallestShare = 0.02;
+// Other orders that remove as much: those of an evenly stepped joint repeat every step.
+constexpr std::size_t kMostRivals = 3;
+constexpr double kRivalsAtMost = 1e-3;  // chance of a peak below which its rivals matter
 
 /// Sums over the readings that turn a function of one joint's angle (a value per recording row)
 /// into products of its column, for any function.
@@ -156,16 +162,15 @@ OrderProducts ProductsOf(const JointSums& sums, const VectorXd& q, const OrderGr
   return {(D - C.real()) / 2, (D + C.real()) / 2, C.imag() / 2};
 }
 
-/// Squares that sine and cosine of one order remove. S: 2 x 2 after projection.
+/// Squares that sine and cosine of one order remove, 0 where a phase is not seen. S: 2 x 2 after
+/// projection.
 double Removed(const Eigen::Matrix2d& S, const Eigen::Vector2d& z, double norm2) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(S);
-  double Q = 0;
-  for (int k = 0; k < 2; ++k) {
-    if (eigen.eigenvalues()[k] <= kSmallestShare * norm2) continue;
-    const double part = eigen.eigenvectors().col(k).dot(z);
-    Q += part * part / eigen.eigenvalues()[k];
-  }
-  return Q;
+  if (eigen.eigenvalues()[0] <= kSmallestShare * norm2) return 0;
+  return (eigen.eigenvectors().transpose() * z)
+      .cwiseAbs2()
+      .cwiseQuotient(eigen.eigenvalues())
+      .sum();
 }
 
 /// The order between grid points at which a parabola through three has its top.
@@ -176,7 +181,32 @@ double TopBetween(const OrderGrid& grid, const Eigen::ArrayXd& Q, int k) {
   return grid.order(k) + std::clamp(shift, -0.5, 0.5) * grid.step;
 }
 
-SpectralPeak HighestPeak(const PhysicsContext& c, const JointSums& sums, int joint) {
+/// The highest of the orders' Q, and the peaks apart from it and each other that come within
+/// `margin` of it.
+std::vector<int> HighestAndRivals(const Eigen::ArrayXd& Q, double margin) {
+  std::vector<int> peaks;
+  for (Index k = 0; k < Q.size(); ++k) {
+    const bool top = (k == 0 || Q[k] > Q[k - 1]) && (k + 1 == Q.size() || Q[k] >= Q[k + 1]);
+    if (top) peaks.push_back(static_cast<int>(k));
+  }
+  std::stable_sort(peaks.begin(), peaks.end(), [&](int a, int b) { return Q[a] > Q[b]; });
+  std::vector<int> apart;
+  for (const int peak : peaks) {
+    if (!apart.empty() && Q[peak] < Q[apart.front()] - margin) break;
+    const bool near = std::any_of(apart.begin(), apart.end(), [&](int other) {
+      return std::abs(peak - other) <= kStepsPerResolution;
+    });
+    if (!near) apart.push_back(peak);
+    if (apart.size() > kMostRivals) break;
+  }
+  return apart;
+}
+
+/// Those of one joint, the highest first. `margin`: squares within which another is its rival.
+std::vector<SpectralPeak> HighestPeaks(const PhysicsContext& c,
+                                       const JointSums& sums,
+                                       int joint,
+                                       double margin) {
   const VectorXd q = c.q(joint);
   const OrderGrid grid = GridOf(q);
   OrderProducts S = ProductsOf(sums, q, grid);
@@ -191,18 +221,20 @@ SpectralPeak HighestPeak(const PhysicsContext& c, const JointSums& sums, int joi
   }
   const Eigen::ArrayXcd z = fourier.Sums(sums.products.col(num_basis)).tail(grid.count);
   Eigen::ArrayXd Q(grid.count);
-  SpectralPeak peak;
-  peak.joint = joint;
-  int highest = 0;
   for (int k = 0; k < grid.count; ++k) {
     Eigen::Matrix2d S_k;
     S_k << S.ss[k], S.so[k], S.so[k], S.oo[k];
     Q[k] = Removed(S_k, {z[k].imag(), z[k].real()}, norm2[k]);
-    if (Q[k] > Q[highest]) highest = k;
   }
-  peak.Q = Q[highest];
-  peak.order = TopBetween(grid, Q, highest);
-  return peak;
+  std::vector<SpectralPeak> peaks;
+  for (const int k : HighestAndRivals(Q, margin)) {
+    SpectralPeak peak;
+    peak.joint = joint;
+    peak.Q = Q[k];
+    peak.order = TopBetween(grid, Q, k);
+    peaks.push_back(peak);
+  }
+  return peaks;
 }
 
 bool IsScanned(const PhysicsContext& c, int joint) { return c.revolute(joint) && c.moves(joint); }
@@ -238,18 +270,24 @@ std::vector<SpectralPeak> ScanOrders(const PhysicsContext& c,
   for (int joint = 0; joint < c.num_joints(); ++joint) {
     if (IsScanned(c, joint)) joints.push_back(joint);
   }
+  const double variance = scanned.sigma_known ? 1 : rss / std::max(scanned.nu, 1.0);
   const MatrixXd factors = FactorsOf(rows, scanned.basis, scanned.y);
-  std::vector<SpectralPeak> peaks(joints.size());
+  std::vector<std::vector<SpectralPeak>> of_joint(joints.size());
   ParallelFor(static_cast<int>(joints.size()), [&](int k) {
     const auto i = static_cast<std::size_t>(k);
     const JointSums sums = SumsOf(rows, factors, c.joint_slot(joints[i]), c.num_rows());
-    peaks[i] = HighestPeak(c, sums, joints[i]);
+    of_joint[i] = HighestPeaks(c, sums, joints[i], kTuning.list_margin * variance);
   });
   const double width = ScanWidth(c);
-  for (SpectralPeak& peak : peaks) {
-    // Sine and cosine.
-    peak.p = RemovalTail(peak.Q, 2, rss, scanned.nu, scanned.sigma_known);
-    peak.p_scan = ScanProbability(peak.p, width);
+  std::vector<SpectralPeak> peaks;
+  for (const std::vector<SpectralPeak>& own : of_joint) {
+    for (SpectralPeak peak : own) {
+      // Sine and cosine.
+      peak.p = RemovalTail(peak.Q, 2, rss, scanned.nu, scanned.sigma_known);
+      peak.p_scan = ScanProbability(peak.p, width);
+      const bool rival = !peaks.empty() && peaks.back().joint == peak.joint;
+      if (!rival || (scanned.with_rivals && peak.p_scan < kRivalsAtMost)) peaks.push_back(peak);
+    }
   }
   return peaks;
 }

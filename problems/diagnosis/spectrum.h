@@ -44,11 +44,14 @@ struct ScannedRows {
   Eigen::VectorXd y;         // projected off it
   double nu = 0;             // its degrees of freedom
   bool sigma_known = false;  // y has unit variance
+  bool with_rivals = false;  // orders that remove nearly as much are wanted, too
 };
 
-/// The highest peak of each revolute joint. The scan's false-alarm probability is Baluev's (2008)
-/// bound for periodograms: with W turns times spread of the angle, P(max > z) <= W sqrt(z) exp(-z),
-/// z = -log p.
+/// The highest peak of each revolute joint; with rivals, behind it the orders that remove as much
+/// to within `list_margin`, if any does by more than chance: at evenly stepped places orders
+/// repeat. An order of which the places show one phase only is none. The scan's false-alarm
+/// probability is Baluev's (2008) bound for periodograms: with W turns times spread of the angle,
+/// P(max > z) <= W sqrt(z) exp(-z), z = -log p.
 std::vector<SpectralPeak> ScanOrders(const PhysicsContext& context,
                                      const DesignRows& rows,
                                      const ScannedRows& scanned);

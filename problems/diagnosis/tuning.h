@@ -15,9 +15,10 @@ struct Tuning {
   double most_outliers = 0.2;
   /// Repeats are put together where they leave at most this share of the rows.
   double repeats_share = 0.5;
-  /// Slow noise is taken out where it is likelier than white noise by this much (twice the
-  /// logarithm): white noise comes up to it once in 1,000 recordings.
-  double slow_noise_evidence = 14;
+  /// Noise that wanders or that enters by the joints is taken for such where it is likelier than
+  /// white noise by this much (twice the logarithm): white noise comes up to it once in 1,000
+  /// recordings.
+  double noise_evidence = 14;
   /// A stated noise is not relied on where what is left has at most this share of its variance, and
   /// chance leaves so little less than once in so many recordings.
   double overstated = 0.6;

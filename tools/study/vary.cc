@@ -91,7 +91,7 @@ std::vector<TuningNumber> TuningNumbers() {
           real("repeats_share", &Tuning::repeats_share),
           real("overstated", &Tuning::overstated),
           real("overstated_p", &Tuning::overstated_p),
-          real("slow_noise_evidence", &Tuning::slow_noise_evidence),
+          real("noise_evidence", &Tuning::noise_evidence),
           count("most_searched", &Tuning::most_searched),
           count("start_blocks", &Tuning::start_blocks),
           real("start_p", &Tuning::start_p),

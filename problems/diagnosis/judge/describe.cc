@@ -37,12 +37,30 @@ bool OneThing(const EffectRequest& a, const EffectRequest& b) {
   return of_angle(a) && of_angle(b);
 }
 
-/// Many lines of one joint are the series of a curve, not so many mechanisms.
+/// Pairs of sine and cosine among what a joint's own angle does to it, beside `group`.
+int LinesBeside(const std::vector<int>& group, const std::vector<Member>& members) {
+  const int joint = members[static_cast<std::size_t>(group.front())].item.request.joint;
+  int lines = 0;
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    const Item& item = members[k].item;
+    const bool own = std::find(group.begin(), group.end(), static_cast<int>(k)) != group.end();
+    if (!own && item.own_angle && item.request.joint == joint) lines += item.size / 2;
+  }
+  return lines;
+}
+
+/// Many lines of one joint are the series of a curve, not so many mechanisms; two of them beside
+/// the two of a balancer are, too.
 bool IsSeries(const std::vector<int>& group, const std::vector<Member>& members) {
   constexpr std::size_t kLinesOfACurve = 3;
-  return group.size() >= kLinesOfACurve && std::none_of(group.begin(), group.end(), [&](int m) {
-           return IsCurve(members[static_cast<std::size_t>(m)].item.request);
-         });
+  constexpr int kOfABalancer = 2;
+  const bool has_curve = std::any_of(group.begin(), group.end(), [&](int m) {
+    return IsCurve(members[static_cast<std::size_t>(m)].item.request);
+  });
+  if (has_curve) return false;
+  const bool one_short = group.size() + 1 == kLinesOfACurve;
+  return group.size() >= kLinesOfACurve ||
+         (one_short && LinesBeside(group, members) >= kOfABalancer);
 }
 
 /// A curve of a joint's angle holds whatever else the angle does to itself: a slope beside it is

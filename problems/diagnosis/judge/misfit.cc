@@ -68,6 +68,13 @@ void AddNotesOnRows(const Loop& loop, const LoopOutcome& outcome, DiagnosisResul
         100 * outcome.slow.share,
         100 * outcome.slow.persistence));
   }
+  if (outcome.joint_noise > 0) {
+    d->notes.push_back(fmt::format(
+        "The readings scatter as if every joint stood {:.2g} mrad (one sigma) beside its recorded "
+        "angle, "
+        "each time anew: more where levers are longer. It was taken for noise of the joints.",
+        1e3 * outcome.joint_noise));
+  }
   const std::size_t good = loop.GoodReadings(false).size();
   if (good > static_cast<std::size_t>(kTuning.most_searched)) {
     d->notes.push_back(fmt::format(

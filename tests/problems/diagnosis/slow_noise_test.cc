@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/physics/effect.h"
 #include "tests/support/problem_cases.h"
 #include "tests/support/sanitized.h"
 #include "tests/tools/proof/simulator/read_back.h"
