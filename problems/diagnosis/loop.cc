@@ -85,6 +85,9 @@ std::vector<Item> Loop::Items(const JointRows& joint, bool coarse) const {
   options.names = in_.names;
   for (const Member& member : joint.state.members) {
     (member.given ? options.switched : options.near).push_back(member.item.request);
+    if (member.item.kind == ItemKind::kCell && IsByTheClock(member.item, *joint.context)) {
+      options.clocked.push_back(member.item.slot);
+    }
   }
   options.num_poses = static_cast<int>(NumPoses());
   options.masses_given = model_.masses_given();
@@ -110,7 +113,10 @@ void Loop::AddLines(const JointRows& joint,
   std::vector<int> no_lines;
   for (const int k : bank->members()) {
     const Item& item = bank->items()[static_cast<std::size_t>(k)];
-    if (!IsScannedLine(item.request)) no_lines.push_back(k);
+    // Among rivals whole orders have theirs, too.
+    const bool line =
+        with_rivals ? item.request.effect == kLineEffect : IsScannedLine(item.request);
+    if (!line) no_lines.push_back(k);
   }
   if (!no_lines.empty() && no_lines.size() < bank->members().size()) contexts.push_back(no_lines);
   for (const std::vector<int>& active : contexts) {
@@ -122,6 +128,8 @@ void Loop::AddLines(const JointRows& joint,
       line.joint = peak.joint + 1;
       line.settings["order"] = std::round(peak.order * 100) / 100;
       Item item = NamedItem(*joint.context, line, 1);
+      // At few places whole orders are no likelier than those that they cannot be told from.
+      if (with_rivals && StopsAtFewPlaces(joint.context->q(peak.joint))) item.variants = 1;
       const bool known = std::any_of(bank->items().begin(),
                                      bank->items().end(),
                                      [&](const Item& other) { return other.SameAs(item); });

@@ -245,6 +245,18 @@ bool IsScannedLine(const EffectRequest& request) {
   return request.effect == kLineEffect && request.setting("order", 0) >= kLowestOrder;
 }
 
+bool StopsAtFewPlaces(const VectorXd& q) {
+  constexpr double kSamePlace = 1e-5;  // [rad]
+  constexpr double kTimesAtEach = 3;
+  std::vector<double> sorted(q.begin(), q.end());
+  std::sort(sorted.begin(), sorted.end());
+  double places = sorted.empty() ? 0 : 1;
+  for (std::size_t k = 1; k < sorted.size(); ++k) {
+    if (sorted[k] - sorted[k - 1] > kSamePlace) ++places;
+  }
+  return static_cast<double>(sorted.size()) >= kTimesAtEach * places;
+}
+
 double ScanWidth(const PhysicsContext& c) {
   double width = 0;
   for (int joint = 0; joint < c.num_joints(); ++joint) {

@@ -24,6 +24,9 @@ constexpr char kLineEffect[] = "gear_harmonic";
 /// True for a line that a scan found, or may have.
 bool IsScannedLine(const EffectRequest& request);
 
+/// True if a joint stops at few places, several times at each.
+bool StopsAtFewPlaces(const Eigen::VectorXd& q);
+
 struct SpectralPeak {
   int joint = -1;     // from 0
   double order = 0;   // per turn of the joint

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/physics/gravity.h"
 #include "core/physics/registry.h"
@@ -20,6 +21,7 @@ namespace {
 
 constexpr int kInstantsTried = 47;
 constexpr int kInstantsAtFirst = 12;
+constexpr int kInstantsOfAClockedPlace = 400;
 // Time constants in parts of the longest run; 0 = steadily.
 constexpr double kTimeConstantsTried[] = {0.05, 0.08, 0.12, 0.19, 0.3, 0.5, 0.8, 0.0};
 constexpr int kCurveKnotsTried[] = {8, 14, 28, 120};
@@ -165,6 +167,38 @@ std::vector<EffectRequest> CurveForms(const PhysicsContext& c,
   return forms;
 }
 
+/// True if a cell that goes by the clock stands where an effect acts.
+bool IsClocked(const PhysicsContext& c,
+               const LibraryOptions& options,
+               const Effect& effect,
+               const EffectRequest& place) {
+  const std::string at = place.joint > 0 ? c.slots().Name(c.joint_slot(place.joint - 1))
+                                         : effect.Place(c, place).location;
+  return std::any_of(options.clocked.begin(), options.clocked.end(), [&](const std::string& slot) {
+    return slot == at || StartsWith(slot, at + " ");
+  });
+}
+
+/// Places with a step at each of the instants tried there.
+std::vector<EffectRequest> StepForms(const Effect& effect,
+                                     const PhysicsContext& c,
+                                     const LibraryOptions& options,
+                                     const std::vector<EffectRequest>& places) {
+  if (places.empty()) return {};
+  const std::string step = StepSetting(c);
+  const std::vector<double> near = NearSettings(options, places.front(), step);
+  std::vector<EffectRequest> forms;
+  for (const EffectRequest& place : places) {
+    const int count = options.coarse                         ? kInstantsAtFirst
+                      : IsClocked(c, options, effect, place) ? kInstantsOfAClockedPlace
+                                                             : kInstantsTried;
+    for (EffectRequest& form : WithSettings({place}, step, InstantsTried(c, count, near))) {
+      forms.push_back(std::move(form));
+    }
+  }
+  return forms;
+}
+
 /// All forms of one effect that are tried, testable or not.
 std::vector<EffectRequest> FormsOf(const Effect& effect,
                                    const PhysicsContext& c,
@@ -179,13 +213,7 @@ std::vector<EffectRequest> FormsOf(const Effect& effect,
     requests.insert(requests.end(), moments.begin(), moments.end());
   }
   const std::string step = StepSetting(c);
-  if (TakesSetting(effect, step)) {
-    const std::vector<EffectRequest> places = Places(requests, step);
-    if (places.empty()) return {};
-    const std::vector<double> near = NearSettings(options, places.front(), step);
-    return WithSettings(
-        places, step, InstantsTried(c, options.coarse ? kInstantsAtFirst : kInstantsTried, near));
-  }
+  if (TakesSetting(effect, step)) return StepForms(effect, c, options, Places(requests, step));
   if (TakesSetting(effect, "time_constant_s") && c.has_time() && c.duration() > 0) {
     std::vector<EffectRequest> forms;
     for (const EffectRequest& request : requests) {

@@ -19,6 +19,8 @@ struct LibraryOptions {
   bool coarse = false;  // few instants: for a first model
   /// Members of a model: forms of them with settings close by are tried, too.
   std::vector<EffectRequest> near;
+  /// Slots of cells that go by the clock among them: there a step may be between any two rows.
+  std::vector<std::string> clocked;
 };
 
 /// Items of the library's effects. Forms: every pair of joints for a coupling, instants and time

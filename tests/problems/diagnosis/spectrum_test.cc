@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -76,6 +77,58 @@ INSTANTIATE_TEST_SUITE_P(Kinds,
                            return std::string(param.param.name) +
                                   (param.param.rounded ? "_rounded" : "");
                          });
+
+/// Highest orders of a line of an order in a joint that stops at every 20 degrees.
+std::vector<double> OrdersOnAGrid(double order, bool with_rivals) {
+  const TrueRobot truth = MakeTrueRobot(Kr15(), 7);
+  const ProblemSpec spec = MakeSpec(truth.nominal, KindNamed("position"), NoiseKind::kIndependent);
+  RecordingPlan plan;
+  plan.poses = kPoses;
+  Recording recording = Record(truth, spec, plan);
+  for (int row = 0; row < kPoses; ++row) recording.q(row, kJoint) = (row * 7 % 9) * 20 * kDegree;
+  RowWeights weights;
+  weights.noise = {20e-6, 50e-6};
+  const Calibration c(spec, recording);
+  const Eigen::MatrixXd deltas = Eigen::MatrixXd::Zero(c.chain.slots().size(), kPoses);
+  const DesignRows rows(c, deltas, weights, c.readings.fitted);
+  const Eigen::MatrixXd basis = OrthonormalBasis(rows.Geometry(c.parameters));
+  const Eigen::VectorXd angle = order * recording.q.col(kJoint);
+  const Eigen::VectorXd line = rows.Column(
+      {{c.chain.slots().joint(kJoint, JointSlot::kTheta), angle.array().cos().matrix()}});
+  ScannedRows scanned{basis, ProjectOff(basis, 40e-6 * line), 600, true};
+  scanned.with_rivals = with_rivals;
+  std::vector<double> orders;
+  for (const SpectralPeak& peak : ScanOrders(c.Context(), rows, scanned)) {
+    if (peak.joint == kJoint) orders.push_back(peak.order);
+  }
+  return orders;
+}
+
+TEST(ScanOrders, AnOrderOfWhichPlacesShowOnePhaseOnlyIsNone) {
+  // cos(9 q) is 1 and -1 in turn, and sin(9 q) is 0.
+  const std::vector<double> orders = OrdersOnAGrid(9, true);
+  ASSERT_FALSE(orders.empty());
+  for (const double order : orders) EXPECT_GT(std::abs(std::remainder(order, 18) - 9), 0.01);
+}
+
+TEST(ScanOrders, OrdersThatEvenStepsCannotTellApartAreRivals) {
+  const std::vector<double> orders = OrdersOnAGrid(13, true);
+  EXPECT_EQ(orders.size(), 4);
+  for (const double order : orders) {
+    EXPECT_NEAR(std::abs(std::remainder(order, 18)), 5, 0.02) << order;
+  }
+  EXPECT_EQ(OrdersOnAGrid(13, false).size(), 1);
+}
+
+TEST(StopsAtFewPlaces, IsAGridAndNoRandomSequence) {
+  Eigen::VectorXd grid(60), spread(60);
+  for (int k = 0; k < 60; ++k) {
+    grid[k] = 0.3 * (k % 6);
+    spread[k] = std::sin(1.7 * k);
+  }
+  EXPECT_TRUE(StopsAtFewPlaces(grid));
+  EXPECT_FALSE(StopsAtFewPlaces(spread));
+}
 
 }  // namespace
 }  // namespace dhcal
