@@ -23,7 +23,7 @@ constexpr int kShuffles = 200;
 constexpr double kFarBelow = 3;  // standard deviations of the shuffled: once in 700
 constexpr double kWildest = 7;   // of a deviation, in medians of all: an outlier is no course
 
-/// Rows of one group of a vector's or matrix' rows put together by `Put` (mean or median).
+/// A vector's or matrix' rows put together by groups: medians, or means.
 MatrixXd Grouped(const MatrixXd& values, const std::vector<std::vector<int>>& groups, bool median) {
   if (values.rows() == 0) return values;
   MatrixXd grouped(static_cast<Index>(groups.size()), values.cols());
