@@ -76,6 +76,8 @@ class Loop {
   /// Which rows are good, and what noise they have, by what a fit of the whole model leaves. True
   /// if anything changed; the fit is made anew where its rows have other weights at once.
   bool UpdateRows(JointRows* joint);
+  /// Of each reading by itself: without robust weights, and nothing that wanders taken out.
+  RowWeights WeightsOfNoise() const;
   void UpdateOutliers(const JointRows& joint, bool with_leverage);
   void UpdateNoise(const JointRows& joint);
   /// Takes joint columns for commanded angles, exact however few decimals they have, where their

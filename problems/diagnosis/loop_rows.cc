@@ -28,18 +28,26 @@ constexpr double kNoiseSettled = 0.02;
 constexpr double kJointNoiseSettled = 0.1;  // of it
 constexpr double kColumnsOfRows = 1.0 / 6;  // at most, of a first model
 
-/// Takes the members out that are functions of the time or the order of rows; returns how many
+/// Takes out the members whose item `goes`, but for the problem file's own; returns how many
 /// unknowns they had.
-double TakeOutByTheClock(const PhysicsContext& context, JointState* state) {
-  double freedom = 0;
+template <typename Goes>
+double TakeOut(const Goes& goes, JointState* state) {
+  double unknowns = 0;
   auto& members = state->members;
-  const auto by_the_clock = [&](const Member& member) {
-    if (member.given || !IsByTheClock(member.item, context)) return false;
-    freedom += member.item.size;
+  const auto is_out = [&](const Member& member) {
+    if (member.given || !goes(member.item)) return false;
+    unknowns += member.item.size;
     return true;
   };
-  members.erase(std::remove_if(members.begin(), members.end(), by_the_clock), members.end());
-  return freedom;
+  members.erase(std::remove_if(members.begin(), members.end(), is_out), members.end());
+  return unknowns;
+}
+
+/// What so many unknowns more are worth that leave `with` instead of `without`: twice the logarithm
+/// of how much likelier the rows are, less BIC's price.
+double WorthOf(double unknowns, const DesignRows& without, const DesignRows& with) {
+  return 2.0 * with.num_rows() * std::log(without.y().norm() / with.y().norm()) -
+         unknowns * std::log(static_cast<double>(with.num_readings()));
 }
 
 /// Mean leverage of each reading in a fit.
@@ -126,13 +134,19 @@ std::vector<Reading> Loop::GoodReadings(bool test) const {
   return WithoutRows(c, test ? c.readings.test : c.readings.fitted, off_);
 }
 
+RowWeights Loop::WeightsOfNoise() const {
+  RowWeights weights;
+  weights.noise = noise_;
+  weights.read_out = in_.read_out;
+  weights.joint_noise = joint_noise_;
+  return weights;
+}
+
 RowChoice Loop::Choice(bool all) const {
   RowChoice choice;
   choice.readings = GoodReadings(false);
   if (!all) choice.readings = Thinned(choice.readings);
-  choice.weights.noise = noise_;
-  choice.weights.read_out = in_.read_out;
-  choice.weights.joint_noise = joint_noise_;
+  choice.weights = WeightsOfNoise();
   choice.weights.weight = weight_;
   choice.weights.slow = slow_;
   return choice;
@@ -148,10 +162,7 @@ double Loop::NumPoses() const {
 
 void Loop::UpdateOutliers(const JointRows& joint, bool with_leverage) {
   const Calibration& c = model_.calibration();
-  RowWeights weights;
-  weights.noise = noise_;
-  weights.read_out = in_.read_out;
-  weights.joint_noise = joint_noise_;
+  const RowWeights weights = WeightsOfNoise();
   const DesignRows fitted(c, joint.state.deltas, weights, c.readings.fitted);
   const DesignRows test(c, joint.state.deltas, weights, c.readings.test);
   ReadingResiduals residuals;
@@ -255,15 +266,15 @@ bool Loop::UpdateSlowNoise(const JointRows& joint) {
   const ReadingOrder order = rows.Order();
   LikeliestSlowNoise likeliest = FindSlowNoise(rows.y(), order, slow_);
   JointState timeless = joint.state;
-  const double freedom = TakeOutByTheClock(*joint.context, &timeless);
-  if (freedom > 0) {
+  const double unknowns =
+      TakeOut([&](const Item& item) { return IsByTheClock(item, *joint.context); }, &timeless);
+  if (unknowns > 0) {
     const DesignRows without =
         left_by(FitJointly(model_, timeless, plain, joint.free, kFarSteps).state);
     const LikeliestSlowNoise instead = FindSlowNoise(without.y(), order, slow_);
-    const auto count = static_cast<double>(rows.num_rows());
-    const double gain = 2 * count * std::log(without.y().norm() / rows.y().norm()) -
-                        freedom * std::log(static_cast<double>(rows.num_readings()));
-    if (instead.evidence > likeliest.evidence + gain) likeliest = instead;
+    if (instead.evidence > likeliest.evidence + WorthOf(unknowns, without, rows)) {
+      likeliest = instead;
+    }
   }
   if (likeliest.evidence < kTuning.noise_evidence) likeliest.noise = SlowNoise();
   const bool changed = likeliest.noise != slow_;
@@ -283,7 +294,6 @@ bool Loop::UpdateJointNoise(const JointRows& joint) {
 }
 
 LikeliestJointNoise Loop::JointNoiseInsteadOfMembers(const JointRows& joint) const {
-  const auto& members = joint.state.members;
   // One shape of noise at a time: the filter of slow noise has turned the rows already.
   if (!slow_.none()) return {};
   RowChoice plain = Choice();
@@ -292,21 +302,13 @@ LikeliestJointNoise Loop::JointNoiseInsteadOfMembers(const JointRows& joint) con
     return DesignRows(model_.calibration(), state.deltas, plain.weights, plain.readings);
   };
   JointState bare = joint.state;
-  bare.members.erase(std::remove_if(bare.members.begin(),
-                                    bare.members.end(),
-                                    [](const Member& member) { return !member.given; }),
-                     bare.members.end());
-  double freedom = 0, gain = 0;
-  for (const Member& member : members) freedom += member.given ? 0 : member.item.size;
+  const double unknowns = TakeOut([](const Item&) { return true; }, &bare);
   const DesignRows rows = left_by(FitJointly(model_, bare, plain, joint.free, 1).state);
-  if (freedom > 0) {
-    gain = 2 * rows.num_rows() * std::log(rows.y().norm() / left_by(joint.state).y().norm()) -
-           freedom * std::log(static_cast<double>(rows.num_readings()));
-  }
+  const double worth = unknowns > 0 ? WorthOf(unknowns, rows, left_by(joint.state)) : 0;
   const LikeliestJointNoise likeliest =
       FindJointNoise(rows.y(), ByAngles(model_.calibration(), rows), rows.coordinates());
-  return likeliest.evidence < std::max(kTuning.noise_evidence, gain) ? LikeliestJointNoise()
-                                                                     : likeliest;
+  return likeliest.evidence < std::max(kTuning.noise_evidence, worth) ? LikeliestJointNoise()
+                                                                      : likeliest;
 }
 
 bool Loop::UpdateRows(JointRows* joint) {

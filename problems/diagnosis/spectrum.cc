@@ -182,31 +182,29 @@ double TopBetween(const OrderGrid& grid, const Eigen::ArrayXd& Q, int k) {
 }
 
 /// The highest of the orders' Q, and the peaks apart from it and each other that come within
-/// `margin` of it.
-std::vector<int> HighestAndRivals(const Eigen::ArrayXd& Q, double margin) {
+/// `margin` of it; at most so many.
+std::vector<int> HighestAndRivals(const Eigen::ArrayXd& Q, double margin, std::size_t most) {
+  const double least = Q.maxCoeff() - margin;
   std::vector<int> peaks;
   for (Index k = 0; k < Q.size(); ++k) {
     const bool top = (k == 0 || Q[k] > Q[k - 1]) && (k + 1 == Q.size() || Q[k] >= Q[k + 1]);
-    if (top) peaks.push_back(static_cast<int>(k));
+    if (top && Q[k] >= least) peaks.push_back(static_cast<int>(k));
   }
   std::stable_sort(peaks.begin(), peaks.end(), [&](int a, int b) { return Q[a] > Q[b]; });
   std::vector<int> apart;
   for (const int peak : peaks) {
-    if (!apart.empty() && Q[peak] < Q[apart.front()] - margin) break;
     const bool near = std::any_of(apart.begin(), apart.end(), [&](int other) {
       return std::abs(peak - other) <= kStepsPerResolution;
     });
     if (!near) apart.push_back(peak);
-    if (apart.size() > kMostRivals) break;
+    if (apart.size() == most) break;
   }
   return apart;
 }
 
-/// Those of one joint, the highest first. `margin`: squares within which another is its rival.
-std::vector<SpectralPeak> HighestPeaks(const PhysicsContext& c,
-                                       const JointSums& sums,
-                                       int joint,
-                                       double margin) {
+/// Those of one joint, the highest first.
+std::vector<SpectralPeak> HighestPeaks(
+    const PhysicsContext& c, const JointSums& sums, int joint, double margin, std::size_t most) {
   const VectorXd q = c.q(joint);
   const OrderGrid grid = GridOf(q);
   OrderProducts S = ProductsOf(sums, q, grid);
@@ -227,7 +225,7 @@ std::vector<SpectralPeak> HighestPeaks(const PhysicsContext& c,
     Q[k] = Removed(S_k, {z[k].imag(), z[k].real()}, norm2[k]);
   }
   std::vector<SpectralPeak> peaks;
-  for (const int k : HighestAndRivals(Q, margin)) {
+  for (const int k : HighestAndRivals(Q, margin, most)) {
     SpectralPeak peak;
     peak.joint = joint;
     peak.Q = Q[k];
@@ -283,12 +281,14 @@ std::vector<SpectralPeak> ScanOrders(const PhysicsContext& c,
     if (IsScanned(c, joint)) joints.push_back(joint);
   }
   const double variance = scanned.sigma_known ? 1 : rss / std::max(scanned.nu, 1.0);
+  const double margin = kTuning.list_margin * variance;
+  const std::size_t most = scanned.with_rivals ? 1 + kMostRivals : 1;
   const MatrixXd factors = FactorsOf(rows, scanned.basis, scanned.y);
   std::vector<std::vector<SpectralPeak>> of_joint(joints.size());
   ParallelFor(static_cast<int>(joints.size()), [&](int k) {
     const auto i = static_cast<std::size_t>(k);
     const JointSums sums = SumsOf(rows, factors, c.joint_slot(joints[i]), c.num_rows());
-    of_joint[i] = HighestPeaks(c, sums, joints[i], kTuning.list_margin * variance);
+    of_joint[i] = HighestPeaks(c, sums, joints[i], margin, most);
   });
   const double width = ScanWidth(c);
   std::vector<SpectralPeak> peaks;
@@ -298,7 +298,7 @@ std::vector<SpectralPeak> ScanOrders(const PhysicsContext& c,
       peak.p = RemovalTail(peak.Q, 2, rss, scanned.nu, scanned.sigma_known);
       peak.p_scan = ScanProbability(peak.p, width);
       const bool rival = !peaks.empty() && peaks.back().joint == peak.joint;
-      if (!rival || (scanned.with_rivals && peak.p_scan < kRivalsAtMost)) peaks.push_back(peak);
+      if (!rival || peak.p_scan < kRivalsAtMost) peaks.push_back(peak);
     }
   }
   return peaks;

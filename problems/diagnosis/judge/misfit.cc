@@ -71,8 +71,8 @@ void AddNotesOnRows(const Loop& loop, const LoopOutcome& outcome, DiagnosisResul
   if (outcome.joint_noise > 0) {
     d->notes.push_back(fmt::format(
         "The readings scatter as if every joint stood {:.2g} mrad (one sigma) beside its recorded "
-        "angle, "
-        "each time anew: more where levers are longer. It was taken for noise of the joints.",
+        "angle, each time anew: more where levers are longer. It was taken for noise of the "
+        "joints.",
         1e3 * outcome.joint_noise));
   }
   const std::size_t good = loop.GoodReadings(false).size();

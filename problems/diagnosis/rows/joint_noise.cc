@@ -15,10 +15,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kSharesTried = 60;
-constexpr double kLeastShare = 1e-2,
-                 kMostShare = 1e4;  // variance by the joints over the rest, on average
-
-constexpr double kLeastRest = 1e-4, kMostRest = 2;  // of all residuals' variance
+// Variance by the joints over the rest, on average; the rest over all residuals' variance.
+constexpr double kLeastShare = 1e-2, kMostShare = 1e4;
+constexpr double kLeastRest = 1e-4, kMostRest = 2;
 
 /// Along the principal axes of each reading's J J': squares of y, and the eigenvalues.
 struct PrincipalRows {

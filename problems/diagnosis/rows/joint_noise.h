@@ -13,9 +13,9 @@ struct LikeliestJointNoise {
   double evidence = 0;  // twice the logarithm of how much likelier it is than none
 };
 
-/// Of residuals `y` with covariance phi (I + sigma^2 J J' / phi) per reading, phi and sigma
-/// unknown. `J`: rows x turning joints, d y / d angle; both come `coordinates` rows to a reading,
-/// white but for what is sought.
+/// Of residuals `y` with covariance phi I + sigma^2 J J' per reading, phi and sigma unknown. `J`:
+/// rows x turning joints, d y / d angle; both come `coordinates` rows to a reading, white but for
+/// what is sought.
 LikeliestJointNoise FindJointNoise(const Eigen::VectorXd& y,
                                    const Eigen::MatrixXd& J,
                                    int coordinates);

@@ -150,24 +150,6 @@ PoseVisits SplitByVisit(const std::vector<Rows>& rows_of_poses, const std::vecto
   return visits;
 }
 
-/// What was measured, one row per row of the recording.
-const MatrixXd& Readings(const Recording& r, MatrixXd* of_vector) {
-  if (r.p_WQ.rows() > 0) return r.p_WQ;
-  *of_vector = r.distance.size() > 0 ? MatrixXd(r.distance) : r.head;
-  return *of_vector;
-}
-
-/// True if visits to a pose may be put together, too.
-bool AreOfOneState(const Recording& recording, const PoseVisits& visits) {
-  std::size_t most = 0;
-  for (const Rows& of_pose : visits.of_pose) most = std::max(most, of_pose.size());
-  if (most < 2) return true;
-  if (most < kFewestOfAPose) return false;
-  MatrixXd of_vector;
-  const MatrixXd& readings = Readings(recording, &of_vector);
-  return !GoesByTheClock(Grouped(readings, visits.rows, true), visits.of_pose);
-}
-
 /// Squared steps from each visit of a pose to its next, all poses together.
 double StepsSquared(const MatrixXd& values, const std::vector<Rows>& visits) {
   double sum = 0;
@@ -207,8 +189,8 @@ MatrixXd Deviations(const MatrixXd& values, const std::vector<Rows>& visits) {
   return deviations.cwiseMax(-most).cwiseMin(most);
 }
 
-}  // namespace
-
+/// True if visits of the same pose, in their order, differ less from the visit before than visits
+/// in no order would (von Neumann's ratio against its permutations): something moved in between.
 bool GoesByTheClock(const MatrixXd& values, const std::vector<Rows>& visits) {
   const MatrixXd deviations = Deviations(values, visits);
   const double in_order = StepsSquared(deviations, visits);
@@ -224,21 +206,43 @@ bool GoesByTheClock(const MatrixXd& values, const std::vector<Rows>& visits) {
   return in_order < mean - kFarBelow * std::sqrt(std::max(0.0, squares - mean * mean));
 }
 
-DistinctRows PutRepeatsTogether(const Recording& recording, const MatrixXd& direction) {
+/// What was measured, one row per row of the recording.
+MatrixXd Readings(const Recording& r) {
+  if (r.p_WQ.rows() > 0) return r.p_WQ;
+  return r.distance.size() > 0 ? MatrixXd(r.distance) : r.head;
+}
+
+/// True if visits to a pose may be put together, too.
+bool AreOfOneState(const Recording& recording, const PoseVisits& visits) {
+  std::size_t most = 0;
+  for (const Rows& of_pose : visits.of_pose) most = std::max(most, of_pose.size());
+  if (most < 2) return true;
+  if (most < kFewestOfAPose) return false;
+  return !GoesByTheClock(Grouped(Readings(recording), visits.rows, true), visits.of_pose);
+}
+
+/// The rows of each draw of the robot.
+std::vector<Rows> RowsOfDraws(const Recording& recording) {
   const std::vector<int> poses = PosesOfRows(recording);
-  const PoseVisits visits = SplitByVisit(RowsOfPoses(recording, poses), VisitsOf(poses));
+  std::vector<Rows> rows_of_poses = RowsOfPoses(recording, poses);
+  PoseVisits visits = SplitByVisit(rows_of_poses, VisitsOf(poses));
+  return AreOfOneState(recording, visits) ? std::move(rows_of_poses) : std::move(visits.rows);
+}
+
+}  // namespace
+
+DistinctRows PutRepeatsTogether(const Recording& recording, const MatrixXd& direction) {
   DistinctRows distinct;
-  distinct.original = visits.rows;
-  if (AreOfOneState(recording, visits)) distinct.original = RowsOfPoses(recording, poses);
+  if (recording.displacement.rows() == 0) distinct.original = RowsOfDraws(recording);
   const auto rows = static_cast<double>(recording.num_rows());
   const auto draws = static_cast<double>(distinct.original.size());
-  if (recording.displacement.rows() > 0 || draws > kTuning.repeats_share * rows) {
+  distinct.averaged = draws > 0 && draws <= kTuning.repeats_share * rows;
+  if (!distinct.averaged) {
     distinct.recording = recording;
     distinct.original.clear();
     for (int row = 0; row < recording.num_rows(); ++row) distinct.original.push_back({row});
     return distinct;
   }
-  distinct.averaged = true;
   // In the order of the recording: the clock may have no other column.
   std::sort(distinct.original.begin(), distinct.original.end());
   distinct.recording = PutTogether(recording, distinct.original, direction);

@@ -23,11 +23,6 @@ struct DistinctRows {
 /// `direction`: of each joint's last motion in the controller's sense, rows x n (0 = not known).
 DistinctRows PutRepeatsTogether(const Recording& recording, const Eigen::MatrixXd& direction);
 
-/// True if visits of the same pose, in their order (`visits`: per pose, rows of `values`), differ
-/// less from the visit before than visits in no order would (von Neumann's ratio against its
-/// permutations): something moved in between.
-bool GoesByTheClock(const Eigen::MatrixXd& values, const std::vector<std::vector<int>>& visits);
-
 }  // namespace dhcal
 
 #endif  // DHCAL_PROBLEMS_DIAGNOSIS_ROWS_REPEATS_H_

@@ -70,6 +70,15 @@ TEST(PutRepeatsTogether, LeavesARecordingOfDistinctPosesAlone) {
   EXPECT_EQ(distinct.recording.q, recording.q);
 }
 
+TEST(PutRepeatsTogether, LeavesDifferencesAsTheyAre) {
+  Rng rng(9);
+  Recording recording = Cycles(12, 10, &rng);
+  recording.displacement.swap(recording.p_WQ);
+  const DistinctRows distinct = PutRepeatsTogether(recording, MatrixXd::Zero(120, 6));
+  EXPECT_FALSE(distinct.averaged);
+  EXPECT_EQ(distinct.original.size(), 120);
+}
+
 /// In each of so many poses, what is measured moves by twice a row's noise in the middle of the
 /// recording, each pose's along a direction of its own.
 Recording WithAStep(int poses, int cycles, Rng* rng) {
@@ -115,7 +124,7 @@ TEST(PutRepeatsTogether, ReadingsOneAfterTheOtherAreOneVisit) {
   EXPECT_EQ(distinct.original[31], (std::vector<int>{62, 63}));
 }
 
-TEST(GoesByTheClock, NoiseDoesOnceInManyRecordings) {
+TEST(PutRepeatsTogether, NoiseKeepsVisitsApartOnceInManyRecordings) {
   int times = 0;
   for (int seed = 0; seed < 300; ++seed) {
     Rng rng(100 + static_cast<std::uint64_t>(seed));
